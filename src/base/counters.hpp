@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+namespace velum {
+
+/// What happened while a picture was made. Deterministic for given settings, whatever the thread count.
+/// Units: things counted (no times).
+struct Counters {
+  std::uint64_t instances = 0;
+  std::uint64_t vertices = 0;            ///< vertices transformed, counted once per instance
+  std::uint64_t triangles = 0;           ///< triangles that entered the pipeline
+  std::uint64_t not_finite = 0;          ///< skipped: a vertex is NaN or infinite after the transform
+  std::uint64_t back_facing = 0;         ///< triangles that face away (removed only when culled)
+  std::uint64_t edge_on = 0;             ///< homogeneous determinant exactly 0: count as front-facing
+  std::uint64_t culled = 0;              ///< removed by the facing test
+  std::uint64_t trivially_accepted = 0;  ///< OR of the outcodes is 0
+  std::uint64_t trivially_rejected = 0;  ///< AND of the outcodes is not 0
+  std::uint64_t clipped = 0;             ///< cut by at least one plane, something left
+  std::uint64_t clipped_away = 0;        ///< neither accepted nor rejected, but nothing left
+  std::uint64_t outside[6] = {};         ///< triangles wholly outside plane i (bit i of the outcode)
+  std::uint64_t cut_by[6] = {};          ///< triangles cut by plane i
+  std::uint64_t screen_triangles = 0;    ///< pieces that reached the raster
+  std::uint64_t zero_area = 0;           ///< pieces without area on the pixel grid
+  std::uint64_t reversed = 0;            ///< slivers that snapping turned over
+  std::uint64_t pixels_tested = 0;       ///< pixel centres tested against edge functions
+  std::uint64_t fragments = 0;           ///< pixel centres covered, each compared with the depth buffer
+  std::uint64_t fragments_written = 0;   ///< fragments nearer than what the depth buffer held
+  std::uint64_t pixels_shaded = 0;       ///< visible pixels, each shaded once
+
+  /// The share of triangles removed because they face away, 0…1; 0 for no triangles.
+  double culled_share() const {
+    return triangles == 0 ? 0.0 : static_cast<double>(culled) / static_cast<double>(triangles);
+  }
+};
+
+}  // namespace velum

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "../base/counters.hpp"
+#include "../base/rect.hpp"
+#include "../image/colour.hpp"
+#include "../image/image.hpp"
+
+namespace velum {
+
+/// What render() gives. All images have the size of the picture (or of its crop).
+struct Picture {
+  Image<Rgba8> colour;             ///< sRGB, straight alpha
+  Image<float> depth;              ///< canonical z in [0, 1]; background 1
+  Image<float> metric_depth;       ///< along the look vector, world units; background +infinity
+  Image<glm::vec3> normal;         ///< world space, on the viewer's side; background 0
+  Image<std::uint32_t> object_id;  ///< instance; background 0xFFFFFFFF
+  Image<std::uint32_t>
+      triangle_id;  ///< primitive id: the triangle's place in the scene; background 0xFFFFFFFF
+  Counters counters;
+
+  /// The share of pixels that show a surface, 0…1.
+  double coverage() const;
+  /// The smallest rectangle around all pixels that show a surface; empty for none.
+  Rect bounding_box() const;
+};
+
+/// Caller-owned memory for the outputs; an empty view is an output not wanted. Sizes must be those of the
+/// picture (or its crop).
+struct PictureTarget {
+  ImageView<Rgba8> colour;
+  ImageView<float> depth;
+  ImageView<float> metric_depth;
+  ImageView<glm::vec3> normal;
+  ImageView<std::uint32_t> object_id;
+  ImageView<std::uint32_t> triangle_id;
+};
+
+}  // namespace velum

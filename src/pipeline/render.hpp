@@ -1,0 +1,37 @@
+#pragma once
+
+#include "../projection/camera.hpp"
+#include "../scene/scene.hpp"
+#include "picture.hpp"
+#include "settings.hpp"
+
+namespace velum {
+
+/// Renders a scene as a camera sees it. A pure function: the same input gives the same bytes on every
+/// machine.
+/// @throws Error (usage) for sizes, a crop or a camera that cannot be used; Error (limit) before work begins
+/// if the outputs would exceed the memory ceiling; Error (cancelled) if the progress callback returns false
+Picture render(const Scene& scene, const Camera& camera, const RenderSettings& settings = {});
+
+/// Keeps its buffers between frames. One Renderer serves one thread at a time; several may share a const
+/// Scene.
+class Renderer {
+ public:
+  Renderer();
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// The picture stays valid until the next call.
+  const Picture& render(const Scene& scene, const Camera& camera, const RenderSettings& settings = {});
+
+  /// Fills caller-owned memory. @throws Error (usage) if a view's size is not the picture's
+  Counters render_into(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                       const PictureTarget& target);
+
+ private:
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers_;
+};
+
+}  // namespace velum

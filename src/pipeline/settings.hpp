@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "../base/rect.hpp"
+#include "../image/colour.hpp"
+#include "../shading/shading.hpp"
+#include "../shading/surface_point.hpp"
+
+namespace velum {
+
+/// How the question "which surface is seen?" is answered. All answers are the same to the bit.
+enum class VisibilityMethod { zbuffer };
+
+/// Which triangles are removed by the way they face.
+enum class Cull { none, back, front };
+
+/// Called now and then with the share done, 0…1; return false to cancel (render() then throws Error,
+/// cancelled).
+using Progress = std::function<bool(double)>;
+
+struct RenderSettings {
+  int width = 800;  ///< pixels, 1 … 32768
+  int height = 600;
+  Rgba8 background{0, 0, 0, 0};  ///< sRGB; default transparent
+  VisibilityMethod visibility = VisibilityMethod::zbuffer;
+  Shading shading = Shading::phong;
+  Shader shader;  ///< custom shading; replaces `shading` where set
+  Cull cull = Cull::none;
+  bool wireframe = false;    ///< edges of the visible triangles over the picture
+  std::optional<Rect> crop;  ///< render only these pixels of the picture; equals the same part of the whole
+  std::uint64_t memory_ceiling = 0;  ///< bytes for outputs and buffers; 0: half of the machine's memory
+  Progress progress;
+};
+
+}  // namespace velum

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "../base/aabb.hpp"
+#include "camera.hpp"
+#include "projection.hpp"
+
+namespace velum {
+
+/// What framing must respect. Everything not given is chosen so that the box fills the picture with the
+/// margin.
+struct FrameOptions {
+  double aspect = 1.0;   ///< width / height of the picture, > 0
+  double margin = 0.05;  ///< empty share at each side of the picture, 0 ≤ margin < 0.5
+  bool z_up = false;     ///< the world's z axis points up: the projection's directions turn with it
+  std::optional<glm::dvec3> eye;
+  std::optional<glm::dvec3> target;
+  std::optional<glm::dvec3> up;
+  std::optional<double> vertical_angle;    ///< radians; at most one of the two angles
+  std::optional<double> horizontal_angle;  ///< radians
+  std::optional<double> near;
+  std::optional<double> far;
+};
+
+/// Places a camera so that the box fills the picture with a margin, and chooses near and far tightly, for
+/// every projection. An empty box or a box without extent is framed as if it had a size of 1 (respectively a
+/// small one around its centre).
+/// @throws Error (usage) for options that cannot be met, naming them
+Camera frame(const Aabb& bounds, const Projection& projection, const FrameOptions& options = {});
+
+}  // namespace velum

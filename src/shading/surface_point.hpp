@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "../scene/material.hpp"
+
+namespace velum {
+
+/// Everything a shader may want to know of the surface seen at one pixel. World space unless said otherwise.
+struct SurfacePoint {
+  glm::dvec3 position{0.0};             ///< on the triangle, at the pixel's centre
+  glm::dvec3 to_viewer{0.0, 0.0, 1.0};  ///< unit length
+  glm::vec3 geometric_normal{0.0f};     ///< of the triangle, unit length, on the viewer's side
+  glm::vec3 shading_normal{
+      0.0f};  ///< interpolated, unit length, turned to the viewer's side with the geometric one
+  glm::vec3 barycentric{0.0f};  ///< perspective-correct, ≥ 0, sum 1
+  glm::vec4 colour{1.0f};       ///< linear, straight alpha: vertex colour · base colour
+  glm::vec2 texture_coordinate{0.0f};
+  double metric_depth = 0.0;    ///< distance from the camera plane along the look vector, world units
+  float depth = 1.0f;           ///< canonical, 0 near … 1 far
+  std::uint32_t object = 0;     ///< instance
+  std::uint32_t triangle = 0;   ///< in the instance's mesh
+  std::uint32_t primitive = 0;  ///< in the scene
+  bool back_facing = false;
+  int x = 0;  ///< pixel
+  int y = 0;
+  const Material* material = nullptr;
+};
+
+/// Custom shading: a colour for a surface point, linear with straight alpha.
+using Shader = std::function<glm::vec4(const SurfacePoint&)>;
+
+}  // namespace velum
