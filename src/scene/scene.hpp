@@ -40,6 +40,7 @@ class Scene {
   glm::vec3 ambient_light{0.15f};  ///< linear
   std::vector<DirectionalLight> directional_lights;
   std::vector<PointLight> point_lights;
+  std::vector<std::string> notes;  ///< what a reader had to leave out or assume; one sentence each
 
   /// @return the mesh's index. @throws Error (usage) if the mesh is not valid, see validate(const Mesh&)
   std::uint32_t add_mesh(Mesh mesh);
