@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <vector>
 
 #include "../scene/scene.hpp"
 #include "surface_point.hpp"
@@ -20,15 +22,16 @@ enum class Shading {
   barycentric,  ///< the barycentric coordinates as red, green, blue
 };
 
-/// The lights of a scene ready for shading; a scene without lights gets a headlight from the viewer's side.
+/// The lights of a scene ready for shading; a scene without lights gets a headlight over the viewer's left
+/// shoulder.
 struct Lighting {
   glm::vec3 ambient{0.0f};
   std::vector<DirectionalLight> directional;  ///< direction of unit length
   std::vector<PointLight> points;
 };
 
-/// @param to_viewer  direction from the scene to the viewer at the picture's centre; where a headlight would
-/// stand
+/// @param to_viewer  direction from the scene to the viewer at the picture's centre; a headlight stands near
+/// it
 Lighting lighting_of(const Scene& scene, const glm::dvec3& to_viewer);
 
 /// Blinn–Phong in linear light: ambient + Σ radiance·(diffuse·base·max(0,n·l) +

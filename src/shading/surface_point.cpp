@@ -1,0 +1,59 @@
+#include "surface_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "triangle_view.hpp"
+
+namespace velum {
+namespace {
+
+template <typename Vector, typename Weights>
+Vector interpolate(const std::array<Vector, 3>& values, const Weights& weights) {
+  return values[0] * weights.x + values[1] * weights.y + values[2] * weights.z;
+}
+
+/// From the primitive's plane, where the pixel's centre meets it, within the range of the vertices. A
+/// triangle that reaches behind the viewer has no such range: there a centre beyond an edge takes the nearby
+/// point's depth.
+double metric_depth(const TriangleView& triangle, const Barycentrics& barycentrics) {
+  const auto [lowest, highest] =
+      std::minmax({triangle.metric_depth[0], triangle.metric_depth[1], triangle.metric_depth[2]});
+  const double depth = interpolate(triangle.metric_depth, barycentrics.exact);
+  if (triangle.is_in_front) return std::clamp(depth, lowest, highest);
+  return depth >= lowest && depth <= highest ? depth
+                                             : interpolate(triangle.metric_depth, barycentrics.clamped);
+}
+
+glm::vec3 shading_normal(const TriangleView& triangle, const glm::vec3& weights) {
+  const glm::vec3 sum = interpolate(triangle.normals, weights);
+  const float length = std::sqrt(glm::dot(sum, sum));
+  return length > 0.0f ? sum / length : triangle.geometric_normal;
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float reversed_depth) {
+  const Barycentrics barycentrics = barycentrics_at(triangle, x + 0.5, y + 0.5);
+  SurfacePoint point;
+  point.position = interpolate(triangle.world, barycentrics.clamped);
+  point.to_viewer = to_viewer_from(point.position, triangle.eye);
+  point.barycentric = barycentrics.clamped;
+  point.geometric_normal = triangle.geometric_normal;
+  point.shading_normal = shading_normal(triangle, point.barycentric);
+  point.colour = interpolate(triangle.colours, point.barycentric);
+  point.texture_coordinate = interpolate(triangle.texture_coordinates, point.barycentric);
+  point.metric_depth = metric_depth(triangle, barycentrics);
+  point.depth = 1.0f - reversed_depth;
+  point.object = triangle.place.instance;
+  point.triangle = triangle.place.triangle;
+  point.primitive = triangle.primitive;
+  point.back_facing = triangle.facing == Facing::back;
+  point.x = x;
+  point.y = y;
+  point.material = triangle.material;
+  return point;
+}
+
+}  // namespace velum
