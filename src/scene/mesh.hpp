@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <string>
+#include <vector>
 
 #include "../base/aabb.hpp"
 #include "array.hpp"
@@ -29,10 +30,13 @@ Aabb bounds(const Mesh& mesh);
 void validate(const Mesh& mesh);
 
 /// Area-weighted smooth vertex normals (each face normal's length is twice its area), one per position.
-/// Vertices without a triangle of area get (0, 0, 1).
+/// Vertices without a triangle of area get (0, 0, 1). Triangles with a vertex that is not finite do not
+/// count.
+/// @throws Error (usage) as validate
 std::vector<glm::vec3> smooth_normals(const Mesh& mesh);
 
-/// The same surface with no shared vertices: every triangle has three of its own, with the face's normal.
+/// The same surface with no shared vertices: every triangle has three of its own, with the face's normal;
+/// one without area gets (0, 0, 1). @throws Error (usage) as validate; Error (limit) above 2³²/3 triangles
 Mesh with_flat_normals(const Mesh& mesh);
 
 }  // namespace velum

@@ -49,20 +49,26 @@ class Scene {
   /// singular, not finite or not affine; Error (limit) when the scene would hold more than 2³²-1 primitives
   std::uint32_t add_instance(Instance instance);
   /// Convenience: a mesh and one instance of it, with the default material (index 0).
+  /// @return the instance's index. @throws as add_mesh and add_instance; the scene is then as before
   std::uint32_t add(Mesh mesh, const glm::dmat4& world_from_object = glm::dmat4(1.0),
                     std::uint32_t material = 0);
 
   /// Moves an instance; the primitive ids stay. @throws as add_instance
   void set_world_from_object(std::uint32_t instance, const glm::dmat4& world_from_object);
+  /// Replaces a material. @throws Error (usage) for an unknown index
   void set_material(std::uint32_t index, Material material);
 
   const std::vector<Mesh>& meshes() const { return meshes_; }
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<Instance>& instances() const { return instances_; }
 
-  /// The world box around all instances (around their transformed vertices, not their transformed boxes).
+  /// The world box around all finite vertices of all instances (around their transformed vertices, not their
+  /// transformed boxes).
   Aabb bounds() const;
-  /// Changes whenever geometry or materials change: the key of derived structures.
+  /// Changes whenever geometry or materials change: the key of derived structures. A hash over all changes so
+  /// far, so it tells Scenes apart too (copies that went separate ways), without any counter they would
+  /// share. Equal revisions mean equal geometry and materials; names, lights and `up` do not count. A key for
+  /// this process, never for a file: it is not the same on every machine.
   std::uint64_t revision() const { return revision_; }
 
   std::uint32_t primitive_count() const;
