@@ -15,9 +15,14 @@ enum class Facing { front, back };
 
 /// The determinant of the columns (x, y, w) of three clip-space points, in one written-down order: > 0 if
 /// they are counter-clockwise in the picture, < 0 if clockwise, 0 if edge-on. Right without clipping, also
-/// where some w ≤ 0. Source: Olano & Greer 1997, "Triangle Scan Conversion using 2D Homogeneous Coordinates".
+/// where some w ≤ 0. Taken from differences to the first point, so that small triangles lose few digits and
+/// repeated points and walls seen along their own plane give exactly 0.
+/// Source: Olano & Greer 1997, "Triangle Scan Conversion using 2D Homogeneous Coordinates".
 inline double homogeneous_determinant(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
-  return (a.x * (b.y * c.w - c.y * b.w) + a.y * (c.x * b.w - b.x * c.w)) + a.w * (b.x * c.y - c.x * b.y);
+  const glm::dvec3 origin(a.x, a.y, a.w);
+  const glm::dvec3 ab = glm::dvec3(b.x, b.y, b.w) - origin;
+  const glm::dvec3 ac = glm::dvec3(c.x, c.y, c.w) - origin;
+  return glm::dot(origin, glm::cross(ab, ac));
 }
 
 /// Whether a model matrix turns counter-clockwise triangles into clockwise ones: det of its linear part < 0.
