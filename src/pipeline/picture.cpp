@@ -1,0 +1,34 @@
+#include "picture.hpp"
+
+#include "../image/visibility_buffer.hpp"
+
+namespace velum {
+
+double Picture::coverage() const {
+  if (triangle_id.is_empty()) return 0.0;
+  std::uint64_t covered = 0;
+  for (int y = 0; y < triangle_id.height(); ++y) {
+    for (int x = 0; x < triangle_id.width(); ++x) covered += triangle_id.at(x, y) != no_primitive;
+  }
+  const double pixels = static_cast<double>(triangle_id.width()) * triangle_id.height();
+  return static_cast<double>(covered) / pixels;
+}
+
+Rect Picture::bounding_box() const {
+  int left = triangle_id.width();
+  int top = triangle_id.height();
+  int right = 0;
+  int bottom = 0;
+  for (int y = 0; y < triangle_id.height(); ++y) {
+    for (int x = 0; x < triangle_id.width(); ++x) {
+      if (triangle_id.at(x, y) == no_primitive) continue;
+      left = std::min(left, x);
+      right = std::max(right, x + 1);
+      top = std::min(top, y);
+      bottom = std::max(bottom, y + 1);
+    }
+  }
+  return right <= left ? Rect{} : Rect{left, top, right - left, bottom - top};
+}
+
+}  // namespace velum

@@ -1,0 +1,80 @@
+#pragma once
+
+/// The newcomer's map: the stages of the viewing pipeline in flow order. Each is a free function from plain
+/// data to plain data; no step looks back. render.cpp calls them one after the other:
+///
+///   transform_vertices   object space → clip space, and each vertex's 6-bit outcode
+///   assemble             one triangle: finite? which way does it face? trivially accepted, rejected, or to
+///   be cut? (clip_triangle)      clipping/: the part inside the canonical view volume set_up divide,
+///   viewport, snapping; the depth plane of the whole triangle; a fan of screen triangles (rasterize_zbuffer)
+///   visibility/: coverage and depth → VisibilityBuffer shade_visible        shading/: each visible pixel
+///   once → Picture
+///
+/// All spaces are named target_from_source.
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <span>
+#include <vector>
+
+#include "../base/counters.hpp"
+#include "../base/rect.hpp"
+#include "../clipping/clip_polygon.hpp"
+#include "../image/visibility_buffer.hpp"
+#include "../projection/camera.hpp"
+#include "../projection/facing.hpp"
+#include "../projection/viewport.hpp"
+#include "../scene/scene.hpp"
+#include "../visibility/screen_triangle.hpp"
+#include "picture.hpp"
+#include "settings.hpp"
+
+namespace velum {
+
+/// A mesh's vertices in clip space, one entry per vertex.
+struct ClipVertices {
+  std::vector<glm::dvec4> positions;
+  std::vector<Outcode> outcodes;
+};
+
+/// Transforms every vertex once, in double: clip = ((m0·x + m1·y) + m2·z) + m3.
+/// @param out  overwritten; its memory is kept
+void transform_vertices(std::span<const glm::vec3> positions, const glm::dmat4& clip_from_object,
+                        ClipVertices& out);
+
+/// What becomes of a triangle before the raster.
+enum class TriangleFate { not_finite, culled, rejected, accepted, to_clip };
+
+/// A triangle of the scene in clip space.
+struct AssembledTriangle {
+  std::array<glm::dvec4, 3> vertices;
+  Outcode all_outside = 0;   ///< AND of the outcodes
+  Outcode some_outside = 0;  ///< OR of the outcodes
+  double determinant = 0.0;  ///< homogeneous_determinant: > 0 counter-clockwise in the picture
+  Facing facing = Facing::front;
+  TriangleFate fate = TriangleFate::accepted;
+};
+
+/// Fetches a triangle and decides its fate; counts it.
+AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indices, bool mirrored, Cull cull,
+                           Counters& counters);
+
+/// Appends the triangle's pieces (one, or a fan where it was cut) to `out`.
+void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Viewport& viewport,
+            Counters& counters, std::vector<ScreenTriangle>& out);
+
+/// What the shading stage needs to know.
+struct ShadeInput {
+  const Scene& scene;
+  const Camera& camera;
+  const ViewingTransform& viewing;
+  const RenderSettings& settings;
+  Rect rect;  ///< the part of the picture that the buffer holds
+};
+
+/// Evaluates each visible pixel once and writes every output that is wanted.
+void shade_visible(const ShadeInput& input, const VisibilityBuffer& buffer, const PictureTarget& target,
+                   Counters& counters);
+
+}  // namespace velum
