@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "../projection/camera.hpp"
 #include "../scene/scene.hpp"
 #include "picture.hpp"
@@ -29,8 +31,10 @@ class Renderer {
   Counters render_into(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                        const PictureTarget& target);
 
- private:
+  /// What is kept between frames; see render.cpp.
   struct Buffers;
+
+ private:
   std::unique_ptr<Buffers> buffers_;
 };
 

@@ -1,0 +1,80 @@
+#include "check_request.hpp"
+
+#include <string>
+
+#include "../base/error.hpp"
+#include "../base/machine.hpp"
+
+namespace velum {
+namespace {
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+std::string mebibytes(std::uint64_t bytes) {
+  return std::to_string((bytes + 1048575) / 1048576) + " MiB";
+}
+
+template <typename T>
+void check_view(const ImageView<T>& view, const char* name, const Rect& rect) {
+  if (view.data == nullptr) return;
+  if (view.width != rect.width || view.height != rect.height || view.stride < view.width) {
+    throw Error(ErrorKind::usage,
+                "the view is " + size_text(view.width, view.height) + " with stride " +
+                    std::to_string(view.stride) + ", the picture is " + size_text(rect.width, rect.height),
+                std::string("PictureTarget::") + name, "give a view of the picture's (or crop's) size");
+  }
+}
+
+}  // namespace
+
+Rect requested_rect(const RenderSettings& settings) {
+  const auto is_size = [](int side) { return side >= 1 && side <= largest_side; };
+  if (!is_size(settings.width) || !is_size(settings.height)) {
+    throw Error(ErrorKind::usage,
+                "a picture of " + size_text(settings.width, settings.height) + " pixels cannot be made",
+                "size", "give a width and a height from 1 to " + std::to_string(largest_side));
+  }
+  const Rect whole{0, 0, settings.width, settings.height};
+  if (!settings.crop) return whole;
+  const Rect& crop = *settings.crop;
+  // Compared without sums, which could overflow.
+  const bool is_inside = crop.left >= 0 && crop.top >= 0 && crop.width >= 1 && crop.height >= 1 &&
+                         crop.left < settings.width && crop.top < settings.height &&
+                         crop.width <= settings.width - crop.left &&
+                         crop.height <= settings.height - crop.top;
+  if (!is_inside) {
+    throw Error(ErrorKind::usage,
+                "the rectangle " + std::to_string(crop.left) + "," + std::to_string(crop.top) + "," +
+                    std::to_string(crop.width) + "," + std::to_string(crop.height) +
+                    " is not inside the picture of " + size_text(settings.width, settings.height),
+                "crop", "give left, top, width and height of a part of the picture");
+  }
+  return crop;
+}
+
+ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings) {
+  const double aspect = static_cast<double>(settings.width) / settings.height;
+  return camera.viewing_transform(aspect, 0.5 / settings.width);
+}
+
+void check_memory(std::uint64_t bytes, const RenderSettings& settings) {
+  const std::uint64_t half = physical_memory() / 2;
+  const std::uint64_t ceiling = settings.memory_ceiling != 0 ? settings.memory_ceiling : half;
+  if (ceiling == 0 || bytes <= ceiling) return;
+  throw Error(ErrorKind::limit,
+              "the outputs need " + mebibytes(bytes) + ", the ceiling is " + mebibytes(ceiling), "size",
+              "ask for a smaller picture, a crop, or a higher memory ceiling");
+}
+
+void check_target(const PictureTarget& target, const Rect& rect) {
+  check_view(target.colour, "colour", rect);
+  check_view(target.depth, "depth", rect);
+  check_view(target.metric_depth, "metric_depth", rect);
+  check_view(target.normal, "normal", rect);
+  check_view(target.object_id, "object_id", rect);
+  check_view(target.triangle_id, "triangle_id", rect);
+}
+
+}  // namespace velum

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "../base/rect.hpp"
+#include "../projection/camera.hpp"
+#include "../projection/viewing_transform.hpp"
+#include "picture.hpp"
+#include "settings.hpp"
+
+namespace velum {
+
+/// The largest width and height of a picture.
+inline constexpr int largest_side = 32768;
+
+/// The part of the picture that is rendered: the crop, or all of it.
+/// @throws Error (usage) for sizes out of range or a crop that is empty or leaves the picture
+Rect requested_rect(const RenderSettings& settings);
+
+/// The composite for this picture. @throws Error (usage) if the camera insists on another aspect (half a
+/// pixel is let pass)
+ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings);
+
+/// @throws Error (limit) if `bytes` exceeds the settings' ceiling (0: half of the machine's memory)
+void check_memory(std::uint64_t bytes, const RenderSettings& settings);
+
+/// @throws Error (usage) if a view that is wanted does not have the rectangle's size
+void check_target(const PictureTarget& target, const Rect& rect);
+
+}  // namespace velum
