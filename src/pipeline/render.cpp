@@ -57,7 +57,7 @@ struct Frame {
         set_up(triangle, first_primitive + i, viewport, counters, buffers.screen_triangles);
       }
     }
-    add(rasterize_zbuffer(buffers.screen_triangles, rect, buffers.visibility), counters);
+    add(rasterize_zbuffer(buffers.screen_triangles, {buffers.visibility, rect}), counters);
   }
 
   void draw_instance(std::uint32_t index) {

@@ -23,13 +23,21 @@ Rect pixel_box(const std::array<SnappedVertex, 3>& v) {
   return {left, top, last_centre(x_max) - left + 1, last_centre(y_max) - top + 1};
 }
 
+/// Whether depth peeling has already shown this fragment, or one behind it.
+bool is_peeled(const ScreenTriangle& triangle, float r, int x, int y, const VisibilityBuffer& previous) {
+  return !is_nearer(previous.reversed_depth.at(x, y), previous.primitive.at(x, y), r, triangle.primitive);
+}
+
 /// Keeps the nearer of the fragment and what the buffer holds.
-void compare_and_write(const ScreenTriangle& triangle, int x, int y, const Rect& rect,
-                       VisibilityBuffer& buffer, RasterCounts& counts) {
+void compare_and_write(const ScreenTriangle& triangle, int x, int y, const RasterTarget& target,
+                       RasterCounts& counts) {
   const float r = triangle.depth.at(x, y);
-  float& buffer_r = buffer.reversed_depth.at(x - rect.left, y - rect.top);
-  std::uint32_t& buffer_id = buffer.primitive.at(x - rect.left, y - rect.top);
+  const int column = x - target.rect.left;
+  const int row = y - target.rect.top;
   ++counts.fragments;
+  if (target.previous != nullptr && is_peeled(triangle, r, column, row, *target.previous)) return;
+  float& buffer_r = target.buffer.reversed_depth.at(column, row);
+  std::uint32_t& buffer_id = target.buffer.primitive.at(column, row);
   if (is_nearer(r, triangle.primitive, buffer_r, buffer_id)) {
     buffer_r = r;
     buffer_id = triangle.primitive;
@@ -37,8 +45,7 @@ void compare_and_write(const ScreenTriangle& triangle, int x, int y, const Rect&
   }
 }
 
-void rasterize(const ScreenTriangle& triangle, const Rect& rect, VisibilityBuffer& buffer,
-               RasterCounts& counts) {
+void rasterize(const ScreenTriangle& triangle, const RasterTarget& target, RasterCounts& counts) {
   std::array<SnappedVertex, 3> v = triangle.vertices;
   const std::int64_t area = doubled_area(v);
   if (area == 0) {
@@ -47,7 +54,7 @@ void rasterize(const ScreenTriangle& triangle, const Rect& rect, VisibilityBuffe
   }
   if (area < 0) std::swap(v[1], v[2]);
 
-  const Rect box = intersect(pixel_box(v), rect);
+  const Rect box = intersect(pixel_box(v), target.rect);
   if (box.is_empty()) return;
   EdgeFunction edges[3] = {EdgeFunction::between(v[0], v[1], box.left, box.top),
                            EdgeFunction::between(v[1], v[2], box.left, box.top),
@@ -58,7 +65,7 @@ void rasterize(const ScreenTriangle& triangle, const Rect& rect, VisibilityBuffe
     std::int64_t e1 = edges[1].value;
     std::int64_t e2 = edges[2].value;
     for (int x = box.left; x < box.right(); ++x) {
-      if ((e0 | e1 | e2) >= 0) compare_and_write(triangle, x, y, rect, buffer, counts);
+      if ((e0 | e1 | e2) >= 0) compare_and_write(triangle, x, y, target, counts);
       e0 += edges[0].step_x;
       e1 += edges[1].step_x;
       e2 += edges[2].step_x;
@@ -69,10 +76,9 @@ void rasterize(const ScreenTriangle& triangle, const Rect& rect, VisibilityBuffe
 
 }  // namespace
 
-RasterCounts rasterize_zbuffer(std::span<const ScreenTriangle> triangles, const Rect& rect,
-                               VisibilityBuffer& buffer) {
+RasterCounts rasterize_zbuffer(std::span<const ScreenTriangle> triangles, const RasterTarget& target) {
   RasterCounts counts;
-  for (const ScreenTriangle& triangle : triangles) rasterize(triangle, rect, buffer, counts);
+  for (const ScreenTriangle& triangle : triangles) rasterize(triangle, target, counts);
   return counts;
 }
 

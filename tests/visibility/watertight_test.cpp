@@ -74,7 +74,7 @@ Coverage coverage_of(const Triangulation& mesh, int size) {
     const Rect rect{left, top, right - left, bottom - top};
     if (rect.is_empty()) continue;
     buffer.clear(rect.width, rect.height);
-    rasterize_zbuffer(one, rect, buffer);
+    rasterize_zbuffer(one, {buffer, rect});
     const int sign = doubled_area(v) > 0 ? 1 : -1;
     for (int y = 0; y < rect.height; ++y) {
       for (int x = 0; x < rect.width; ++x) {
@@ -139,7 +139,7 @@ TEST_CASE("a centre on an edge belongs to the triangle whose top or left edge it
   lower.primitive = 1;
   VisibilityBuffer buffer(5, 5);
   const std::array<ScreenTriangle, 2> both{upper, lower};
-  const RasterCounts counts = rasterize_zbuffer(both, {0, 0, 5, 5}, buffer);
+  const RasterCounts counts = rasterize_zbuffer(both, {buffer, {0, 0, 5, 5}});
   CHECK(counts.fragments == 4);
   CHECK(buffer.primitive.at(1, 1) == 0);  // on the shared diagonal: left edge of the upper triangle
   CHECK(buffer.primitive.at(2, 1) == 0);
@@ -158,8 +158,8 @@ TEST_CASE(
   other.primitive = 3;
   VisibilityBuffer first(4, 4), second(4, 4);
   const std::array<ScreenTriangle, 2> ab{triangle, other}, ba{other, triangle};
-  rasterize_zbuffer(ab, {0, 0, 4, 4}, first);
-  rasterize_zbuffer(ba, {0, 0, 4, 4}, second);
+  rasterize_zbuffer(ab, {first, {0, 0, 4, 4}});
+  rasterize_zbuffer(ba, {second, {0, 0, 4, 4}});
   CHECK(first.primitive.at(0, 0) == 3);
   CHECK(second.primitive.at(0, 0) == 3);
   CHECK(first.reversed_depth.at(0, 0) == 0.0f);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../base/rect.hpp"
+#include "../image/visibility_buffer.hpp"
+
+namespace velum {
+
+/// Where a raster method writes.
+struct RasterTarget {
+  VisibilityBuffer& buffer;
+  Rect rect;  ///< the part of the picture that the buffer holds: buffer pixel (0,0) is picture pixel (left,
+              ///< top)
+  /// Depth peeling (Everitt 2001, over (depth, id)): where given, only fragments behind what this buffer
+  /// shows count.
+  const VisibilityBuffer* previous = nullptr;
+};
+
+/// What one call of a raster method did.
+struct RasterCounts {
+  std::uint64_t zero_area = 0;          ///< triangles without area on the pixel grid
+  std::uint64_t pixels_tested = 0;      ///< centres looked at
+  std::uint64_t fragments = 0;          ///< centres covered
+  std::uint64_t fragments_written = 0;  ///< fragments nearer than what stood in the buffer
+};
+
+}  // namespace velum
