@@ -52,14 +52,14 @@ glm::vec4 depth_colour(double metric_depth, const MetricRange& range) {
   return colour_of_codes(glm::vec3(static_cast<float>(1.0 - (1.0 - darkest) * share)));
 }
 
-// Multiples of irrational numbers modulo 1 spread evenly and put neighbours far apart: hue by the golden
-// ratio (0.618), saturation and value by the powers of the plastic number's inverse (0.755, 0.570; Roberts
-// 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"), all in 32-bit fixed point.
+// Multiples of irrational numbers modulo 1 spread evenly (Weyl 1916) and put neighbours far apart: hue by the
+// golden ratio (0.618), saturation by the inverse plastic number (0.755), value by √2 (0.414), in 32-bit
+// fixed point. Of the usual constants these keep the first hundreds of ids farthest apart.
 glm::vec4 id_colour(std::uint32_t id) {
   if (id == no_primitive) return {0.0f, 0.0f, 0.0f, 1.0f};
   const std::uint32_t hue = (id * 0x9E3779B9u) >> 16;
   const std::uint32_t saturation = 0xFFFFu - (((id * 0xC13FA9A9u) >> 16) * 0x9000u >> 16);
-  const std::uint32_t value = 0xFFFFu - (((id * 0x91E10DA5u) >> 16) * 0x8000u >> 16);
+  const std::uint32_t value = 0xFFFFu - (((id * 0x6A09E667u) >> 16) * 0x8000u >> 16);
   return linear_from_srgb(rgb_from_hsv(hue, saturation, value));
 }
 
