@@ -13,7 +13,7 @@ mkdir "$work/src"
 # verdict BODY: symbols.sh on a library with this body
 verdict() {
   rm -f "$work/library.a"
-  printf '%s\n' '#include <cmath>' '#include <cstdlib>' '#include <cstdio>' '#include <random>' "$1" >"$work/library.cpp"
+  printf '%s\n' '#include <cmath>' '#include <cstdlib>' '#include <cstdio>' "$1" >"$work/library.cpp"
   "$cxx" -std=c++20 -O0 -c "$work/library.cpp" -o "$work/library.o"
   "$ar" rc "$work/library.a" "$work/library.o"
   "$here/symbols.sh" "$nm" "$work/library.a" "$work/src"
@@ -25,7 +25,8 @@ for body in 'double f(double x) { return std::sin(x); }' 'float f(float x) { ret
   'double f(double x) { return std::floor(x); }' 'double f(double x) { return std::lround(x); }' \
   'char* f() { return std::getenv("HOME"); }' 'double f(const char* s) { return std::strtod(s, nullptr); }' \
   'void f(const char* s) { std::puts(s); }' \
-  'int f() { std::mt19937 g; return std::uniform_int_distribution<int>(0, 9)(g); }'; do
+  '#include <random>
+int f() { std::mt19937 g; return std::uniform_int_distribution<int>(0, 9)(g); }'; do
   if verdict "$body" >/dev/null; then
     echo "symbols.sh does not see: $body"
     exit 1
