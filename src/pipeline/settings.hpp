@@ -27,12 +27,12 @@ struct RenderSettings {
   Rgba8 background{0, 0, 0, 0};  ///< sRGB; default transparent
   VisibilityMethod visibility = VisibilityMethod::zbuffer;
   Shading shading = Shading::phong;
-  Shader shader;  ///< custom shading; replaces `shading` where set
+  Shader shader{};  ///< custom shading; replaces `shading` where set
   Cull cull = Cull::none;
-  bool wireframe = false;    ///< edges of the visible triangles over the picture
-  std::optional<Rect> crop;  ///< render only these pixels of the picture; equals the same part of the whole
+  bool wireframe = false;      ///< edges of the visible triangles over the picture
+  std::optional<Rect> crop{};  ///< render only these pixels of the picture; equals the same part of the whole
   std::uint64_t memory_ceiling = 0;  ///< bytes for outputs and buffers; 0: half of the machine's memory
-  Progress progress;
+  Progress progress{};
 };
 
 }  // namespace velum

@@ -15,13 +15,13 @@ struct FrameOptions {
   double aspect = 1.0;   ///< width / height of the picture, > 0
   double margin = 0.05;  ///< empty share at each side of the picture, 0 ≤ margin < 0.5
   bool z_up = false;     ///< the world's z axis points up: the projection's directions turn with it
-  std::optional<glm::dvec3> eye;
-  std::optional<glm::dvec3> target;
-  std::optional<glm::dvec3> up;
-  std::optional<double> vertical_angle;    ///< radians; at most one of the two angles
-  std::optional<double> horizontal_angle;  ///< radians
-  std::optional<double> near;
-  std::optional<double> far;
+  std::optional<glm::dvec3> eye{};
+  std::optional<glm::dvec3> target{};
+  std::optional<glm::dvec3> up{};
+  std::optional<double> vertical_angle{};    ///< radians; at most one of the two angles
+  std::optional<double> horizontal_angle{};  ///< radians
+  std::optional<double> near{};
+  std::optional<double> far{};
 };
 
 /// Places a camera so that the box fills the picture with a margin, and chooses near and far tightly, for
