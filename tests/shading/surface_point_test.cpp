@@ -104,9 +104,10 @@ TEST_CASE("metric depth keeps its accuracy far from the origin and just outside 
     CHECK(depth <= 4.0 + 1e-9);
   }
   // The plane is z = (y+1)/2; the projector is y = -v·d, z = 4 - d with v = (row - 24)/48.
-  const double v = (27.5 - 24.0) / 48.0;
-  CHECK(velum::surface_point(t, 32, 27, 0.5f).metric_depth ==
-        doctest::Approx(3.5 / (1.0 - v / 2.0)).epsilon(1e-9));
+  const double v = (27.5 - 24.0) / 48.0, expected = 3.5 / (1.0 - v / 2.0);
+  CHECK(velum::surface_point(t, 32, 27, 0.5f).metric_depth == doctest::Approx(expected).epsilon(1e-9));
+  CHECK(velum::barycentrics_at(t, 55.5, 27.5).exact.x < -0.1);
+  CHECK(velum::surface_point(t, 55, 27, 0.5f).metric_depth == doctest::Approx(expected).epsilon(1e-9));
 }
 
 TEST_CASE("a back face is shaded two-sided: both normals turn together") {
@@ -137,6 +138,10 @@ TEST_CASE("a mirrored instance keeps outward normals outward") {
   const velum::TriangleView back = view_of(scene, perspective_camera(from_behind(), {0, 0, -5}, viewport));
   CHECK(back.facing == velum::Facing::back);
   check_close(back.normals[0], -t.normals[0]);
+  const glm::dmat3 from_the_side(glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0));
+  const velum::TriangleView edge_on = view_of(scene, perspective_camera(from_the_side, {5, 0, 0}, viewport));
+  CHECK(edge_on.determinant == 0.0);
+  CHECK(edge_on.geometric_normal == glm::vec3(0, 0, 1));
 }
 
 TEST_CASE("normals stay perpendicular to the surface under an uneven scale and shear") {
