@@ -88,8 +88,11 @@ class Camera {
   /// (zero_to_one), reversed z (one_to_zero). @throws Error (usage) if it is singular or not finite
   static Camera from_clip_matrix(const glm::dmat4& clip_from_world, DepthRange range, ClipY y = ClipY::up);
 
+  /// As given; of a clip matrix, read off it: perspective: at the eye, across the plane w = 0; parallel: on
+  /// the near plane, across it.
   const Pose& pose() const { return pose_; }
   const Lens& lens() const { return lens_; }
+  /// Distances along the look vector; of a clip matrix, along the axis of pose(), perhaps infinite.
   double near() const { return near_; }
   double far() const { return far_; }
   /// The aspect that the camera insists on, if any.
@@ -98,12 +101,15 @@ class Camera {
 
   /// The composite viewing matrix as named stages.
   /// @param picture_aspect  width / height of the picture
+  /// Stages that would be the identity (no lens shift, no shear, the depth range already 0 … 1) are left out.
   /// @throws Error (usage) if the camera has an aspect of its own that differs by more than tolerance
   /// (relative)
   ViewingTransform viewing_transform(double picture_aspect, double tolerance = 1e-9) const;
 
  private:
   Camera() = default;
+  Camera(const Pose& pose, const Lens& lens, double near, double far, std::optional<double> aspect);
+
   Pose pose_;
   Lens lens_;
   double near_ = 0.0;

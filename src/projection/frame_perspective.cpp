@@ -1,0 +1,184 @@
+#include <cmath>
+#include <optional>
+
+#include "../base/elementary.hpp"
+#include "framing.hpp"
+
+namespace velum {
+namespace {
+
+using Corners = std::array<glm::dvec3, 8>;
+
+constexpr double default_angle = radians(60.0);
+constexpr double widest_slope = 1.1917535925942099;  // tan 50°: pictures wider than 100° look strained
+constexpr double nearest_share = 1e-4;               // smallest near, as a share of far
+constexpr double clearance = 0.01;                   // smallest distance to the box, as a share of its size
+
+// Slopes are x / depth and y / depth seen from the eye: where a point lies in the picture.
+Range slopes(const Corners& corners, const glm::dvec3& eye, int axis) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const glm::dvec3& corner : corners) {
+    const double slope = (corner[axis] - eye[axis]) / (eye.z - corner.z);
+    range.lower = glm::min(range.lower, slope);
+    range.upper = glm::max(range.upper, slope);
+  }
+  return range;
+}
+
+// How the picture's x (0) or y (1) is brought to hold the box when the camera chooses its own distance.
+struct AxisFit {
+  double half_slope;                // of the window, margin taken off
+  std::optional<double> eye_slope;  // lens shift: the eye stays on this line, x = slope·z; the window moves
+  double eye_offset = 0.0, least = 0;  // no shift: the eye moves aside, and needs at least this distance
+};
+
+// |x - c| ≤ t·(z_eye - z) for all corners: two lines bound the eye; they meet at the nearest place.
+AxisFit centred_fit(const Corners& corners, int axis, double half_slope, bool keep_centre) {
+  double plus = -std::numeric_limits<double>::infinity();
+  double minus = plus;
+  for (const glm::dvec3& corner : corners) {
+    plus = glm::max(plus, corner[axis] + half_slope * corner.z);
+    minus = glm::max(minus, -corner[axis] + half_slope * corner.z);
+  }
+  if (keep_centre) return {half_slope, {}, 0.0, glm::max(plus, minus) / half_slope};
+  return {half_slope, {}, 0.5 * (plus - minus), 0.5 * (plus + minus) / half_slope};
+}
+
+glm::dvec3 eye_at(const std::array<AxisFit, 2>& fits, double z) {
+  const auto along = [&](const AxisFit& fit) { return fit.eye_slope ? *fit.eye_slope * z : fit.eye_offset; };
+  return {along(fits[0]), along(fits[1]), z};
+}
+
+bool window_holds(const Corners& corners, const std::array<AxisFit, 2>& fits, double z) {
+  const glm::dvec3 eye = eye_at(fits, z);
+  for (int axis = 0; axis < 2; ++axis) {
+    const AxisFit& fit = fits[static_cast<std::size_t>(axis)];
+    if (!fit.eye_slope) continue;
+    const Range range = slopes(corners, eye, axis);
+    if (range.upper - range.lower > 2.0 * fit.half_slope) return false;
+  }
+  return true;
+}
+
+// The nearest z from which a window moved by lens shift holds the box: the box's picture only shrinks with
+// distance, so the place is bracketed and halved until double has no number between.
+double nearest_fit(const Corners& corners, const std::array<AxisFit, 2>& fits, double least, double step) {
+  if (window_holds(corners, fits, least)) return least;
+  double outside = least;
+  double inside = least + step;
+  for (; !window_holds(corners, fits, inside) && step < 1e300; step *= 2.0) {
+    outside = inside;
+    inside += step;
+  }
+  while (true) {
+    const double middle = outside + 0.5 * (inside - outside);
+    if (!(outside < middle && middle < inside)) return inside;
+    (window_holds(corners, fits, middle) ? inside : outside) = middle;
+  }
+}
+
+Opening opening_of(const Framing& f) {
+  if (f.options.horizontal_angle) return HorizontalAngle{*f.options.horizontal_angle};
+  return VerticalAngle{f.options.vertical_angle.value_or(f.projection.vertical_angle)};
+}
+
+// Half the window's width and height at distance 1 from the eye.
+glm::dvec2 half_slope_of(const Opening& opening, double aspect) {
+  if (const auto* horizontal = std::get_if<HorizontalAngle>(&opening)) {
+    const double slope = elementary::tan(0.5 * horizontal->radians);
+    return {slope, slope / aspect};
+  }
+  const double slope = elementary::tan(0.5 * std::get<VerticalAngle>(opening).radians);
+  return {slope * aspect, slope};
+}
+
+Camera camera_at(const Framing& f, const glm::dvec3& position, const Corners& from_eye,
+                 const Opening& opening, const glm::dvec2& shift) {
+  const Range range = near_and_far(f, depths(from_eye), nearest_share);
+  return Camera::perspective(f.pose_at(position), {opening, shift}, range.lower, range.upper);
+}
+
+// The camera chooses its place.
+Camera frame_freely(const Framing& f) {
+  const Opening opening = opening_of(f);
+  const glm::dvec2 half_slope = half_slope_of(opening, f.options.aspect);
+  const Corners corners = f.corners_from(f.focus);
+  const glm::dvec3 to_eye = f.axes.camera_from_world(f.projection.to_eye);
+  const bool keep_centre = f.options.target.has_value();
+
+  std::array<AxisFit, 2> fits{};
+  double least = clearance * f.size - depths(corners).lower;
+  for (int axis = 0; axis < 2; ++axis) {
+    AxisFit& fit = fits[static_cast<std::size_t>(axis)];
+    const double usable = half_slope[axis] * f.usable();
+    // Only one- and two-point perspective have their eye beside the look vector.
+    if (f.projection.vanishing_points != 0 && std::abs(to_eye[axis]) > 1e-9 * to_eye.z) {
+      fit = {usable, to_eye[axis] / to_eye.z};
+    } else {
+      fit = centred_fit(corners, axis, usable, keep_centre);
+      least = glm::max(least, fit.least);
+    }
+  }
+  const glm::dvec3 eye = eye_at(fits, nearest_fit(corners, fits, least, f.size));
+
+  glm::dvec2 shift(0.0);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (!fits[static_cast<std::size_t>(axis)].eye_slope) continue;
+    const Range range = slopes(corners, eye, axis);
+    shift[axis] = 0.25 * (range.lower + range.upper) / half_slope[axis];
+  }
+  const glm::dvec3 position = f.focus + f.axes.world_from_camera(eye);
+  return camera_at(f, position, f.corners_from(position), opening, shift);
+}
+
+// Where a user's eye has the middle of its picture: on the look vector, except that one-point (x and y) and
+// two-point perspective (y) shift the lens to the target, or to the middle of the box.
+glm::dvec2 middle_slope(const Framing& f, const Corners& from_eye) {
+  const int count = f.projection.vanishing_points;
+  glm::dvec2 middle(0.0);
+  if (count == 0) return middle;
+  const glm::dvec3 aim = f.axes.camera_from_world(f.focus - *f.options.eye);
+  const bool in_front = depths(from_eye).lower > 0.0;
+  for (int axis = count == 1 ? 0 : 1; axis < 2; ++axis) {
+    if (in_front && !f.options.target) {
+      const Range range = slopes(from_eye, glm::dvec3(0.0), axis);
+      middle[axis] = 0.5 * (range.lower + range.upper);
+    } else if (aim.z < 0.0) {
+      middle[axis] = aim[axis] / -aim.z;
+    }
+  }
+  return middle;
+}
+
+// The opening angle that holds the box seen from a user's eye, if that is not too wide.
+Opening fitting_opening(const Framing& f, const Corners& from_eye, const glm::dvec2& middle) {
+  const Range depth = depths(from_eye);
+  if (!(depth.lower > 0.0)) return VerticalAngle{default_angle};
+  glm::dvec2 reach(0.0);
+  for (int axis = 0; axis < 2; ++axis) {
+    const Range range = slopes(from_eye, glm::dvec3(0.0), axis);
+    reach[axis] = glm::max(range.upper - middle[axis], middle[axis] - range.lower);
+  }
+  const double needed = glm::max(reach.y, reach.x / f.options.aspect) / f.usable();
+  const double slope = glm::max(needed, 1e-3 * f.size / depth.upper);  // a line seen from its end needs none
+  if (!(glm::max(slope, slope * f.options.aspect) <= widest_slope)) return VerticalAngle{default_angle};
+  return VerticalAngle{2.0 * elementary::atan(slope)};
+}
+
+Camera frame_from_eye(const Framing& f) {
+  const glm::dvec3 position = *f.options.eye;
+  const Corners from_eye = f.corners_from(position);
+  const glm::dvec2 middle = middle_slope(f, from_eye);
+  const bool chosen = f.options.vertical_angle || f.options.horizontal_angle;
+  const Opening opening = chosen ? opening_of(f) : fitting_opening(f, from_eye, middle);
+  const glm::dvec2 half_slope = half_slope_of(opening, f.options.aspect);
+  return camera_at(f, position, from_eye, opening, 0.5 * middle / half_slope);
+}
+
+}  // namespace
+
+Camera frame_perspective(const Framing& framing) {
+  return framing.options.eye ? frame_from_eye(framing) : frame_freely(framing);
+}
+
+}  // namespace velum

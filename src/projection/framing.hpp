@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "camera_axes.hpp"
+#include "frame.hpp"
+
+// What frame() prepares once for both families of projection; private to frame*.cpp.
+
+namespace velum {
+
+struct Framing {
+  FrameOptions options;
+  Projection projection;  ///< its directions turned into the world's axes
+  Aabb box;               ///< never empty, never a point
+  double size = 1.0;      ///< the box's longest edge
+  glm::dvec3 focus;       ///< the target, or the box's centre
+  CameraAxes axes;
+
+  /// The box's corners in camera axes (x right, y up, z towards the viewer), relative to a world point.
+  std::array<glm::dvec3, 8> corners_from(const glm::dvec3& origin) const;
+  /// The share of half the picture that the box may take: 1 - 2·margin.
+  double usable() const { return 1.0 - 2.0 * options.margin; }
+  Pose pose_at(const glm::dvec3& position) const { return {position, -axes.back, axes.up}; }
+};
+
+struct Range {
+  double lower, upper;
+};
+
+/// Depth range of corners relative to the camera: distances along the look vector.
+Range depths(const std::array<glm::dvec3, 8>& corners);
+
+/// Near and far: the user's, or tight around `depth` with a pad so that faces of the box are not cut, and
+/// nothing behind the camera. A box wholly behind gets a valid range all the same.
+/// @param least_share  near is at least this share of the far depth (0 for parallel projections)
+Range near_and_far(const Framing& framing, const Range& depth, double least_share);
+
+Camera frame_parallel(const Framing& framing);
+Camera frame_perspective(const Framing& framing);
+
+}  // namespace velum
