@@ -9,6 +9,9 @@
 
 namespace velum {
 
+/// The largest width and height of any picture, in pixels. Readers refuse more.
+inline constexpr int max_image_side = 32768;
+
 /// A window on pixels that somebody else owns: row y starts at data + y·stride (stride in elements, ≥ width).
 /// Row 0 is the top row. A default view is empty: data == nullptr.
 template <typename T>
