@@ -50,7 +50,7 @@ std::string text_of(double value) {
 }
 
 std::string text_of(const glm::dvec3& value) {
-  return "(" + text_of(value.x) + ", " + text_of(value.y) + ", " + text_of(value.z) + ")";
+  return std::string("(") + text_of(value.x) + ", " + text_of(value.y) + ", " + text_of(value.z) + ")";
 }
 
 void check_finite(double value, const std::string& name) {
