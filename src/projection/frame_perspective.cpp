@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "../base/elementary.hpp"
@@ -29,31 +30,56 @@ Range slopes(const Corners& corners, const glm::dvec3& eye, int axis) {
 struct AxisFit {
   double half_slope;                // of the window, margin taken off
   std::optional<double> eye_slope;  // lens shift: the eye stays on this line, x = slope·z; the window moves
-  double eye_offset = 0.0, least = 0;  // no shift: the eye moves aside, and needs at least this distance
+  // No shift: the eye moves aside, to between x = plus - t·z and x = t·z - minus, which meet at the least z.
+  double plus = 0.0, minus = 0.0;
+  bool keep_centre = false;  // or stays in front of the target
+
+  double least() const { return (keep_centre ? glm::max(plus, minus) : 0.5 * (plus + minus)) / half_slope; }
 };
 
-// |x - c| ≤ t·(z_eye - z) for all corners: two lines bound the eye; they meet at the nearest place.
+// |x - x_eye| ≤ t·(z_eye - z) for all corners: two lines bound the eye.
 AxisFit centred_fit(const Corners& corners, int axis, double half_slope, bool keep_centre) {
-  double plus = -std::numeric_limits<double>::infinity();
-  double minus = plus;
+  AxisFit fit{half_slope,
+              {},
+              -std::numeric_limits<double>::infinity(),
+              -std::numeric_limits<double>::infinity(),
+              keep_centre};
   for (const glm::dvec3& corner : corners) {
-    plus = glm::max(plus, corner[axis] + half_slope * corner.z);
-    minus = glm::max(minus, -corner[axis] + half_slope * corner.z);
+    fit.plus = glm::max(fit.plus, corner[axis] + half_slope * corner.z);
+    fit.minus = glm::max(fit.minus, -corner[axis] + half_slope * corner.z);
   }
-  if (keep_centre) return {half_slope, {}, 0.0, glm::max(plus, minus) / half_slope};
-  return {half_slope, {}, 0.5 * (plus - minus), 0.5 * (plus + minus) / half_slope};
+  return fit;
 }
 
-glm::dvec3 eye_at(const std::array<AxisFit, 2>& fits, double z) {
-  const auto along = [&](const AxisFit& fit) { return fit.eye_slope ? *fit.eye_slope * z : fit.eye_offset; };
-  return {along(fits[0]), along(fits[1]), z};
+// The eye's x at distance z, chosen so that the box's picture has as much room on one side as on the other:
+// by halving, for as the eye moves right every slope falls.
+double eye_offset(const Corners& corners, int axis, const AxisFit& fit, double z) {
+  if (fit.eye_slope) return *fit.eye_slope * z;
+  if (fit.keep_centre) return 0.0;
+  double left = fit.plus - fit.half_slope * z;
+  double right = fit.half_slope * z - fit.minus;
+  while (true) {
+    const double middle = left + 0.5 * (right - left);
+    if (!(left < middle && middle < right)) return middle;
+    glm::dvec3 eye(0.0, 0.0, z);
+    eye[axis] = middle;
+    const Range range = slopes(corners, eye, axis);
+    const double balance = range.lower + range.upper;
+    if (balance == 0.0) return middle;
+    (balance > 0.0 ? left : right) = middle;
+  }
+}
+
+glm::dvec3 eye_at(const Corners& corners, const std::array<AxisFit, 2>& fits, double z) {
+  return {eye_offset(corners, 0, fits[0], z), eye_offset(corners, 1, fits[1], z), z};
 }
 
 bool window_holds(const Corners& corners, const std::array<AxisFit, 2>& fits, double z) {
-  const glm::dvec3 eye = eye_at(fits, z);
   for (int axis = 0; axis < 2; ++axis) {
     const AxisFit& fit = fits[static_cast<std::size_t>(axis)];
     if (!fit.eye_slope) continue;
+    glm::dvec3 eye(0.0, 0.0, z);
+    eye[axis] = *fit.eye_slope * z;
     const Range range = slopes(corners, eye, axis);
     if (range.upper - range.lower > 2.0 * fit.half_slope) return false;
   }
@@ -116,10 +142,10 @@ Camera frame_freely(const Framing& f) {
       fit = {usable, to_eye[axis] / to_eye.z};
     } else {
       fit = centred_fit(corners, axis, usable, keep_centre);
-      least = glm::max(least, fit.least);
+      least = glm::max(least, fit.least());
     }
   }
-  const glm::dvec3 eye = eye_at(fits, nearest_fit(corners, fits, least, f.size));
+  const glm::dvec3 eye = eye_at(corners, fits, nearest_fit(corners, fits, least, f.size));
 
   glm::dvec2 shift(0.0);
   for (int axis = 0; axis < 2; ++axis) {
