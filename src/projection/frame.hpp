@@ -25,8 +25,16 @@ struct FrameOptions {
 };
 
 /// Places a camera so that the box fills the picture with a margin, and chooses near and far tightly, for
-/// every projection. An empty box or a box without extent is framed as if it had a size of 1 (respectively a
-/// small one around its centre).
+/// every projection. An empty box is framed as a unit cube around the origin, a point as a small box around
+/// it.
+///
+/// Without an eye: the projection's direction; the camera chooses its distance so that the box touches the
+/// margin (with a target, the target is the picture's middle; one- and two-point perspective shift the lens
+/// instead). With an eye: it looks at the target, or at the box's centre; its opening angle, unless given,
+/// just holds the box, or is 60 degrees if the eye is inside it or would need more than 100. One-point
+/// perspective then looks along the axis nearest to that direction and two-point perspective horizontally,
+/// and the lens is shifted. What lies behind an eye is not seen; a box wholly behind it still gives a valid
+/// camera, with a blank picture.
 /// @throws Error (usage) for options that cannot be met, naming them
 Camera frame(const Aabb& bounds, const Projection& projection, const FrameOptions& options = {});
 

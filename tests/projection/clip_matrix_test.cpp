@@ -69,6 +69,13 @@ TEST_CASE(
   CHECK((eigen(eye_of(b)) - eigen(eye_of(a))).norm() < 1e-13);
 }
 
+TEST_CASE("a mirrored parallel picture has its viewer on the same side") {
+  const glm::dmat4 gl = glm::orthoRH_ZO(-2.5, 2.5, -2.0, 2.0, near_plane, far_plane) * view();
+  const glm::dmat4 mirrored = glm::scale(glm::dmat4(1.0), glm::dvec3(-1, 1, 1)) * gl;
+  CHECK((eigen(eye_of(mirrored)) - eigen(eye_of(gl))).norm() < 1e-14);
+  CHECK(glm::dot(glm::dvec3(eye_of(gl)), eye - target) > 0.0);
+}
+
 TEST_CASE("a reversed matrix with its far plane at infinity is welcome") {
   glm::dmat4 infinite(0.0);
   const double f = 1 / std::tan(fov / 2);

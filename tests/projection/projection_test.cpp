@@ -84,9 +84,9 @@ TEST_CASE("the principal views draw their two axes 1:1 and lose the third") {
       {named::left(), {none, up, right}},  {named::right(), {none, up, -right}},
       {named::top(), {right, none, -up}},  {named::bottom(), {right, none, up}},
   };
-  for (const auto& [view, drawn] : expected) {
-    CAPTURE(view.name);
-    for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(axes(view)[i] - drawn[i]) < 1e-14);
+  for (const std::pair<Projection, Axes>& row : expected) {
+    CAPTURE(row.first.name);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(axes(row.first)[i] - row.second[i]) < 1e-14);
   }
 }
 
