@@ -87,6 +87,16 @@ TEST_CASE("every truncated file is refused") {
   }
 }
 
+TEST_CASE("PNG: a change of any one byte is noticed") {
+  const Format format = formats().front();
+  for (std::size_t i = 0; i < format.file.size(); ++i) {
+    Bytes bytes = format.file;
+    bytes[i] ^= std::byte{0x10};
+    CAPTURE(i);
+    CHECK_FALSE(is_read(format, bytes));
+  }
+}
+
 TEST_CASE("mutated files are read or refused, never worse") {
   for (const Format& format : formats()) mutate_and_read(format, 500, false);
   for (const Format& format : formats()) {
