@@ -26,7 +26,9 @@ struct Counters {
   std::uint64_t pixels_tested = 0;       ///< pixel centres tested against edge functions
   std::uint64_t fragments = 0;           ///< pixel centres covered, each compared with the depth buffer
   std::uint64_t fragments_written = 0;   ///< fragments nearer than what the depth buffer held
-  std::uint64_t pixels_shaded = 0;       ///< visible pixels, each shaded once
+  std::uint64_t pixels_shaded = 0;       ///< visible fragments shaded: one per pixel and layer
+
+  std::uint64_t layers = 0;  ///< depth peeling: layers shaded until nothing shone through
 
   /// The share of triangles removed because they face away, 0…1; 0 for no triangles.
   double culled_share() const {

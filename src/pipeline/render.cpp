@@ -7,6 +7,7 @@
 #include "../base/floating_point.hpp"
 #include "../visibility/zbuffer.hpp"
 #include "check_request.hpp"
+#include "shade_stage.hpp"
 #include "stages.hpp"
 
 namespace velum {
@@ -16,6 +17,7 @@ struct Renderer::Buffers {
   ClipVertices vertices;
   std::vector<ScreenTriangle> screen_triangles;
   VisibilityBuffer visibility;
+  LayerBuffers layers;
   Picture picture;
 };
 
@@ -45,6 +47,9 @@ struct Frame {
   Rect rect;
   Renderer::Buffers& buffers;
   Counters& counters;
+  const VisibilityBuffer* previous = nullptr;  ///< depth peeling: the layer in front
+  double progress_from = 0.0;
+  double progress_to = 0.8;
 
   void draw_batch(const Mesh& mesh, std::uint32_t first, std::uint32_t last, std::uint32_t first_primitive,
                   bool mirrored) {
@@ -57,7 +62,7 @@ struct Frame {
         set_up(triangle, first_primitive + i, viewport, counters, buffers.screen_triangles);
       }
     }
-    add(rasterize_zbuffer(buffers.screen_triangles, {buffers.visibility, rect}), counters);
+    add(rasterize_zbuffer(buffers.screen_triangles, {buffers.visibility, rect, previous}), counters);
   }
 
   void draw_instance(std::uint32_t index) {
@@ -73,7 +78,8 @@ struct Frame {
     for (std::uint32_t first = 0, last = 0; last < count; first = last) {
       last = first + std::min(batch_size, count - first);
       draw_batch(mesh, first, last, first_primitive, mirrored);
-      report_progress(settings, 0.8 * (first_primitive + last) / scene.primitive_count());
+      const double drawn = static_cast<double>(first_primitive + last) / scene.primitive_count();
+      report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
     }
   }
 
@@ -93,6 +99,20 @@ std::uint64_t pixel_count(const Rect& rect) {
   return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
 }
 
+/// Makes the layer just shown the one to peel off; a closed pixel counts as exhausted, so nothing more is
+/// drawn there.
+void exhaust_closed_pixels(Renderer::Buffers& buffers) {
+  LayerBuffers& layers = buffers.layers;
+  std::swap(layers.previous, buffers.visibility);
+  for (int y = 0; y < layers.previous.height(); ++y) {
+    for (int x = 0; x < layers.previous.width(); ++x) {
+      if (layers.is_open.at(x, y)) continue;
+      layers.previous.reversed_depth.at(x, y) = 0.0f;
+      layers.previous.primitive.at(x, y) = no_primitive;
+    }
+  }
+}
+
 Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Camera& camera,
                       const RenderSettings& settings, const PictureTarget& target) {
   const FloatingPointScope floating_point;
@@ -101,7 +121,25 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   check_target(target, rect);
   Counters counters;
   Frame{scene, settings, viewing, rect, buffers, counters}.draw_scene();
-  shade_visible({scene, camera, viewing, settings, rect}, buffers.visibility, target, counters);
+  ShadeStage stage({scene, camera, viewing, settings, rect}, target, buffers.layers);
+  stage.shade_first_layer(buffers.visibility, counters);
+  while (stage.open_pixels() > 0 && (settings.layers == 0 || counters.layers < settings.layers)) {
+    exhaust_closed_pixels(buffers);
+    Counters raster_again;  // the geometry is counted once
+    const auto layer = static_cast<double>(counters.layers);
+    Frame{scene,
+          settings,
+          viewing,
+          rect,
+          buffers,
+          raster_again,
+          &buffers.layers.previous,
+          1.0 - 0.2 / layer,
+          1.0 - 0.2 / (layer + 1.0)}
+        .draw_scene();
+    stage.shade_next_layer(buffers.visibility, counters);
+  }
+  stage.finish();
   report_progress(settings, 1.0);
   return counters;
 }

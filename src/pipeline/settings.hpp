@@ -30,6 +30,7 @@ struct RenderSettings {
   Shader shader{};  ///< custom shading; replaces `shading` where set
   Cull cull = Cull::none;
   bool wireframe = false;      ///< edges of the visible triangles over the picture
+  std::uint64_t layers = 0;    ///< most translucent layers blended per pixel; 0: until exhausted
   std::optional<Rect> crop{};  ///< render only these pixels of the picture; equals the same part of the whole
   std::uint64_t memory_ceiling = 0;  ///< bytes for outputs and buffers; 0: half of the machine's memory
   Progress progress{};

@@ -1,8 +1,8 @@
+#include "shade_stage.hpp"
+
 #include <limits>
 
-#include "../shading/shade.hpp"
 #include "../shading/wireframe.hpp"
-#include "stages.hpp"
 
 namespace velum {
 namespace {
@@ -27,92 +27,136 @@ MetricRange depth_view_range(const glm::dmat4& world_from_clip, const glm::dvec4
   return is_finite(range.nearest) && is_finite(range.farthest) ? range : MetricRange{};
 }
 
-/// A visible triangle as the shading needs it; kept while neighbouring pixels show the same one.
-struct VisibleTriangle {
-  std::uint32_t primitive = no_primitive;
-  TriangleView view;
-  LitTriangle lit;
-};
-
-class ShadeStage {
- public:
-  ShadeStage(const ShadeInput& input, const PictureTarget& target) : input_(input), target_(target) {
-    const glm::dmat4 world_from_clip = input.viewing.world_from_clip();
-    viewer_.viewport = {input.settings.width, input.settings.height};
-    viewer_.eye = eye_of(input.viewing.clip_from_world());
-    viewer_.metric_depth_plane = metric_depth_plane(input.camera);
-    range_ = depth_view_range(world_from_clip, viewer_.metric_depth_plane);
-    lighting_ = lighting_of(input.scene, to_viewer_from(middle_at(world_from_clip, 0.5), viewer_.eye));
-    for (const Instance& instance : input.scene.instances()) {
-      clip_from_object_.push_back(input.viewing.clip_from_object(instance.world_from_object));
-    }
-  }
-
-  /// @param x, y  in the buffer
-  void shade_pixel(int x, int y, std::uint32_t primitive, float reversed_depth) {
-    if (triangle_.primitive != primitive) set_triangle(primitive);
-    const SurfacePoint point =
-        surface_point(triangle_.view, x + input_.rect.left, y + input_.rect.top, reversed_depth);
-    if (target_.colour.data) target_.colour.at(x, y) = srgb_from_linear(colour_of(point));
-    if (target_.depth.data) target_.depth.at(x, y) = point.depth;
-    if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
-    if (target_.normal.data) target_.normal.at(x, y) = point.shading_normal;
-    if (target_.object_id.data) target_.object_id.at(x, y) = point.object;
-    if (target_.triangle_id.data) target_.triangle_id.at(x, y) = primitive;
-  }
-
-  void write_background(int x, int y) {
-    if (target_.colour.data) target_.colour.at(x, y) = input_.settings.background;
-    if (target_.depth.data) target_.depth.at(x, y) = 1.0f;
-    if (target_.metric_depth.data) target_.metric_depth.at(x, y) = std::numeric_limits<float>::infinity();
-    if (target_.normal.data) target_.normal.at(x, y) = glm::vec3(0.0f);
-    if (target_.object_id.data) target_.object_id.at(x, y) = no_primitive;
-    if (target_.triangle_id.data) target_.triangle_id.at(x, y) = no_primitive;
-  }
-
- private:
-  void set_triangle(std::uint32_t primitive) {
-    const PrimitivePlace place = input_.scene.place(primitive);
-    triangle_.primitive = primitive;
-    triangle_.view = view_triangle(input_.scene, place, clip_from_object_[place.instance], viewer_);
-    triangle_.lit = light_triangle(input_.settings.shading, lighting_, triangle_.view);
-  }
-
-  glm::vec4 colour_of(const SurfacePoint& point) const {
-    const RenderSettings& settings = input_.settings;
-    const glm::vec4 colour = settings.shader
-                                 ? settings.shader(point)
-                                 : shade(settings.shading, lighting_, triangle_.lit, point, range_);
-    if (!settings.wireframe) return colour;
-    return over_wireframe(colour, edge_distance(triangle_.view, point.x + 0.5, point.y + 0.5));
-  }
-
-  const ShadeInput& input_;
-  const PictureTarget& target_;
-  Viewer viewer_;
-  MetricRange range_;
-  Lighting lighting_;
-  std::vector<glm::dmat4> clip_from_object_;
-  VisibleTriangle triangle_;
-};
-
 }  // namespace
 
-void shade_visible(const ShadeInput& input, const VisibilityBuffer& buffer, const PictureTarget& target,
-                   Counters& counters) {
-  ShadeStage stage(input, target);
+ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers)
+    : input_(input), target_(target), layers_(layers) {
+  const glm::dmat4 world_from_clip = input.viewing.world_from_clip();
+  viewer_.viewport = {input.settings.width, input.settings.height};
+  viewer_.eye = eye_of(input.viewing.clip_from_world());
+  viewer_.metric_depth_plane = metric_depth_plane(input.camera);
+  range_ = depth_view_range(world_from_clip, viewer_.metric_depth_plane);
+  lighting_ = lighting_of(input.scene, to_viewer_from(middle_at(world_from_clip, 0.5), viewer_.eye));
+  for (const Instance& instance : input.scene.instances()) {
+    clip_from_object_.push_back(input.viewing.clip_from_object(instance.world_from_object));
+  }
+}
+
+void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& counters) {
+  open_pixels_ = 0;
   for (int y = 0; y < buffer.height(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
     const float* const depths = buffer.reversed_depth.row(y);
     for (int x = 0; x < buffer.width(); ++x) {
       if (ids[x] == no_primitive) {
-        stage.write_background(x, y);
+        write_background(x, y);
       } else {
-        stage.shade_pixel(x, y, ids[x], depths[x]);
+        shade_first(x, y, ids[x], depths[x]);
         ++counters.pixels_shaded;
       }
     }
   }
+  counters.layers = 1;
+}
+
+void ShadeStage::shade_next_layer(const VisibilityBuffer& buffer, Counters& counters) {
+  for (int y = 0; y < buffer.height(); ++y) {
+    for (int x = 0; x < buffer.width(); ++x) {
+      const std::uint32_t primitive = buffer.primitive.at(x, y);
+      if (!layers_.is_open.at(x, y)) continue;
+      if (primitive == no_primitive) {
+        close(x, y);
+        continue;
+      }
+      set_triangle(primitive);
+      add_behind(x, y, colour_of(surface(x, y, buffer.reversed_depth.at(x, y))));
+      ++counters.pixels_shaded;
+    }
+  }
+  ++counters.layers;
+}
+
+void ShadeStage::finish() {
+  if (layers_.colour.is_empty()) return;
+  const glm::vec4 background = linear_from_srgb(input_.settings.background);
+  for (int y = 0; y < layers_.colour.height(); ++y) {
+    for (int x = 0; x < layers_.colour.width(); ++x) {
+      if (!layers_.is_translucent.at(x, y)) continue;
+      const glm::vec4 front = layers_.colour.at(x, y);
+      const float behind = (1.0f - front.w) * background.w;
+      const float alpha = front.w + behind;
+      const glm::vec3 premultiplied = glm::vec3(front) + glm::vec3(background) * behind;
+      const glm::vec3 straight = alpha > 0.0f ? premultiplied / alpha : glm::vec3(0.0f);
+      target_.colour.at(x, y) = srgb_from_linear(glm::vec4(straight, alpha));
+    }
+  }
+}
+
+SurfacePoint ShadeStage::surface(int x, int y, float reversed_depth) const {
+  return surface_point(triangle_.view, x + input_.rect.left, y + input_.rect.top, reversed_depth);
+}
+
+void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float reversed_depth) {
+  set_triangle(primitive);
+  const SurfacePoint point = surface(x, y, reversed_depth);
+  if (target_.depth.data) target_.depth.at(x, y) = point.depth;
+  if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
+  if (target_.normal.data) target_.normal.at(x, y) = point.shading_normal;
+  if (target_.object_id.data) target_.object_id.at(x, y) = point.object;
+  if (target_.triangle_id.data) target_.triangle_id.at(x, y) = primitive;
+  if (!target_.colour.data) return;
+  const glm::vec4 colour = colour_of(point);
+  if (colour.w >= 1.0f) {
+    target_.colour.at(x, y) = srgb_from_linear(colour);
+  } else {
+    open(x, y);
+    add_behind(x, y, colour);
+  }
+}
+
+void ShadeStage::write_background(int x, int y) {
+  if (target_.colour.data) target_.colour.at(x, y) = input_.settings.background;
+  if (target_.depth.data) target_.depth.at(x, y) = 1.0f;
+  if (target_.metric_depth.data) target_.metric_depth.at(x, y) = std::numeric_limits<float>::infinity();
+  if (target_.normal.data) target_.normal.at(x, y) = glm::vec3(0.0f);
+  if (target_.object_id.data) target_.object_id.at(x, y) = no_primitive;
+  if (target_.triangle_id.data) target_.triangle_id.at(x, y) = no_primitive;
+}
+
+void ShadeStage::open(int x, int y) {
+  if (open_pixels_ == 0) layers_.clear(input_.rect.width, input_.rect.height);
+  layers_.is_open.at(x, y) = 1;
+  layers_.is_translucent.at(x, y) = 1;
+  ++open_pixels_;
+}
+
+void ShadeStage::close(int x, int y) {
+  layers_.is_open.at(x, y) = 0;
+  --open_pixels_;
+}
+
+void ShadeStage::add_behind(int x, int y, const glm::vec4& colour) {
+  const float alpha = colour.w > 0.0f ? (colour.w < 1.0f ? colour.w : 1.0f) : 0.0f;
+  glm::vec4& front = layers_.colour.at(x, y);
+  const float share = (1.0f - front.w) * alpha;
+  front = glm::vec4(glm::vec3(front) + glm::vec3(colour) * share, front.w + share);
+  if (alpha >= 1.0f) close(x, y);
+}
+
+void ShadeStage::set_triangle(std::uint32_t primitive) {
+  if (triangle_.primitive == primitive) return;
+  const PrimitivePlace place = input_.scene.place(primitive);
+  triangle_.primitive = primitive;
+  triangle_.view = view_triangle(input_.scene, place, clip_from_object_[place.instance], viewer_);
+  triangle_.lit = light_triangle(input_.settings.shading, lighting_, triangle_.view);
+}
+
+glm::vec4 ShadeStage::colour_of(const SurfacePoint& point) const {
+  const RenderSettings& settings = input_.settings;
+  const glm::vec4 colour = settings.shader ? settings.shader(point)
+                                           : shade(settings.shading, lighting_, triangle_.lit, point, range_);
+  if (!settings.wireframe) return colour;
+  return over_wireframe(colour, edge_distance(triangle_.view, point.x + 0.5, point.y + 0.5));
 }
 
 }  // namespace velum

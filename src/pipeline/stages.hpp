@@ -64,17 +64,4 @@ AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indic
 void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Viewport& viewport,
             Counters& counters, std::vector<ScreenTriangle>& out);
 
-/// What the shading stage needs to know.
-struct ShadeInput {
-  const Scene& scene;
-  const Camera& camera;
-  const ViewingTransform& viewing;
-  const RenderSettings& settings;
-  Rect rect;  ///< the part of the picture that the buffer holds
-};
-
-/// Evaluates each visible pixel once and writes every output that is wanted.
-void shade_visible(const ShadeInput& input, const VisibilityBuffer& buffer, const PictureTarget& target,
-                   Counters& counters);
-
 }  // namespace velum

@@ -1,5 +1,7 @@
 #include "shade.hpp"
 
+#include "interpolate.hpp"
+
 namespace velum {
 namespace {
 
@@ -32,7 +34,7 @@ glm::vec4 shade(Shading shading, const Lighting& lighting, const LitTriangle& li
     case Shading::flat:
       return lit.face;
     case Shading::gouraud:
-      return lit.corners[0] * b.x + lit.corners[1] * b.y + lit.corners[2] * b.z;
+      return interpolate(lit.corners, b);
     case Shading::phong:
       return blinn_phong(lighting, *point.material, point.position, point.shading_normal, point.to_viewer,
                          point.colour);

@@ -4,15 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "interpolate.hpp"
 #include "triangle_view.hpp"
 
 namespace velum {
 namespace {
-
-template <typename Vector, typename Weights>
-Vector interpolate(const std::array<Vector, 3>& values, const Weights& weights) {
-  return values[0] * weights.x + values[1] * weights.y + values[2] * weights.z;
-}
 
 /// From the primitive's plane, where the pixel's centre meets it, within the range of the vertices. A
 /// triangle that reaches behind the viewer has no such range: there a centre beyond an edge takes the nearby

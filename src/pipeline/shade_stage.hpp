@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../shading/shade.hpp"
+#include "../shading/triangle_view.hpp"
+#include "stages.hpp"
+
+namespace velum {
+
+/// What translucent pixels have gathered so far; untouched while everything seen is opaque.
+struct LayerBuffers {
+  Image<glm::vec4> colour;             ///< linear, premultiplied, front to back
+  Image<std::uint8_t> is_open;         ///< 1 where a further layer may still show
+  Image<std::uint8_t> is_translucent;  ///< 1 where the first layer is not opaque
+  VisibilityBuffer previous;           ///< the layer last shown; exhausted where no further one is wanted
+
+  void clear(int width, int height) {
+    colour.resize(width, height, glm::vec4(0.0f));
+    is_open.resize(width, height, 0);
+    is_translucent.resize(width, height, 0);
+  }
+};
+
+/// What the shading stage needs to know.
+struct ShadeInput {
+  const Scene& scene;
+  const Camera& camera;
+  const ViewingTransform& viewing;
+  const RenderSettings& settings;
+  Rect rect;  ///< the part of the picture that the buffer holds
+};
+
+/// Evaluates each visible fragment once and writes every output that is wanted. Depth, ids and normals are
+/// those of the first layer; the colour gathers layer behind layer until an opaque fragment, the background
+/// or the layer limit.
+class ShadeStage {
+ public:
+  ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers);
+
+  void shade_first_layer(const VisibilityBuffer& buffer, Counters& counters);
+  void shade_next_layer(const VisibilityBuffer& buffer, Counters& counters);
+  /// Pixels whose colour still lets a further layer through.
+  std::uint64_t open_pixels() const { return open_pixels_; }
+  /// Puts translucent pixels over the background and writes them.
+  void finish();
+
+ private:
+  /// A visible triangle as the shading needs it; kept while neighbouring pixels show the same one.
+  struct VisibleTriangle {
+    std::uint32_t primitive = no_primitive;
+    TriangleView view;
+    LitTriangle lit;
+  };
+
+  void shade_first(int x, int y, std::uint32_t primitive, float reversed_depth);
+  void write_background(int x, int y);
+  void open(int x, int y);
+  void close(int x, int y);
+  void add_behind(int x, int y, const glm::vec4& colour);
+  void set_triangle(std::uint32_t primitive);
+  SurfacePoint surface(int x, int y, float reversed_depth) const;
+  glm::vec4 colour_of(const SurfacePoint& point) const;
+
+  const ShadeInput input_;
+  const PictureTarget target_;
+  LayerBuffers& layers_;
+  Viewer viewer_;
+  MetricRange range_;
+  Lighting lighting_;
+  std::vector<glm::dmat4> clip_from_object_;
+  VisibleTriangle triangle_;
+  std::uint64_t open_pixels_ = 0;
+};
+
+}  // namespace velum

@@ -1,0 +1,157 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <velum/velum.hpp>
+
+#include "random.hpp"
+
+using namespace velum;
+
+namespace {
+
+struct Sheet {
+  std::array<glm::vec3, 3> corners;
+  glm::vec3 colour;
+  float alpha;
+};
+
+/// Random translucent triangles of different depths (no two depths are equal), in front of each other
+/// everywhere.
+std::vector<Sheet> random_sheets(Random& random, int count) {
+  std::vector<Sheet> sheets;
+  const auto f = [&](double a, double b) { return static_cast<float>(random.uniform(a, b)); };
+  for (int i = 0; i < count; ++i) {
+    Sheet sheet;
+    for (glm::vec3& corner : sheet.corners) corner = {f(-1.5, 1.5), f(-1.5, 1.5), f(-1.0, 1.0)};
+    sheet.colour = {f(0, 1), f(0, 1), f(0, 1)};
+    sheet.alpha = i % 7 == 6 ? 1.0f : f(0.1, 0.9);
+    sheets.push_back(sheet);
+  }
+  return sheets;
+}
+
+/// Each sheet an object of its own, so that only (depth, id) orders them.
+Scene scene_of(const std::vector<Sheet>& sheets) {
+  Scene scene;
+  for (const Sheet& sheet : sheets) {
+    Mesh mesh;
+    mesh.positions = {sheet.corners[0], sheet.corners[1], sheet.corners[2]};
+    mesh.triangles = {glm::uvec3(0, 1, 2)};
+    Material material;
+    material.base_colour = sheet.colour;
+    material.alpha = sheet.alpha;
+    scene.add(mesh, glm::dmat4(1.0), scene.add_material(material));
+  }
+  return scene;
+}
+
+RenderSettings unlit(int size) {
+  RenderSettings settings;
+  settings.width = settings.height = size;
+  settings.shader = [](const SurfacePoint& point) {
+    return glm::vec4(point.material->base_colour, point.material->alpha);
+  };
+  return settings;
+}
+
+Camera front_camera() {
+  ParallelWindow window;
+  window.height = 2.0;
+  return Camera::parallel(Pose::towards({0, 0, 5}, {0, 0, 0}), window, 1.0, 10.0, 1.0);
+}
+
+/// The oracle: all opaque renderings of single sheets, sorted by (depth, id) and blended front to back.
+glm::vec4 blended_at(const std::vector<Picture>& alone, const std::vector<Sheet>& sheets, int x, int y) {
+  std::vector<std::pair<float, std::size_t>> fragments;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    if (alone[i].triangle_id.at(x, y) != 0xFFFFFFFFu) fragments.emplace_back(alone[i].depth.at(x, y), i);
+  }
+  std::sort(fragments.begin(), fragments.end());
+  glm::vec4 front(0.0f);
+  for (const auto& [depth, i] : fragments) {
+    const float share = (1.0f - front.w) * sheets[i].alpha;
+    front += glm::vec4(sheets[i].colour * share, share);
+    if (sheets[i].alpha >= 1.0f) break;
+  }
+  return front;
+}
+
+}  // namespace
+
+TEST_CASE("translucent sheets blend front to back, exactly as sorted fragments do") {
+  Random random{21};
+  const std::vector<Sheet> sheets = random_sheets(random, 15);
+  const Picture picture = render(scene_of(sheets), front_camera(), unlit(48));
+  std::vector<Picture> alone;
+  for (const Sheet& sheet : sheets) alone.push_back(render(scene_of({sheet}), front_camera(), unlit(48)));
+  int worst = 0;
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 48; ++x) {
+      const glm::vec4 front = blended_at(alone, sheets, x, y);
+      if (front.w <= 0.0f) continue;
+      const Rgba8 expected = srgb_from_linear(glm::vec4(glm::vec3(front) / front.w, front.w));
+      const Rgba8 got = picture.colour.at(x, y);
+      worst = std::max({worst, std::abs(expected.r - got.r), std::abs(expected.g - got.g),
+                        std::abs(expected.b - got.b), std::abs(expected.a - got.a)});
+    }
+  }
+  CHECK(worst <= 1);
+  CHECK(picture.counters.layers > 3);
+  CHECK(picture.counters.layers <= 15);
+}
+
+TEST_CASE("the order of the scene does not matter where no two depths are equal") {
+  Random random{22};
+  std::vector<Sheet> sheets = random_sheets(random, 12);
+  const Picture forwards = render(scene_of(sheets), front_camera(), unlit(48));
+  std::reverse(sheets.begin(), sheets.end());
+  const Picture backwards = render(scene_of(sheets), front_camera(), unlit(48));
+  int different = 0;
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 48; ++x) different += !(forwards.colour.at(x, y) == backwards.colour.at(x, y));
+  }
+  CHECK(different == 0);
+}
+
+TEST_CASE("peeling stops at the nearest opaque fragment, at the limit, and when nothing is left") {
+  const auto sheet = [](float z, float alpha) {
+    return Sheet{{glm::vec3(-9, -9, z), glm::vec3(9, -9, z), glm::vec3(0, 9, z)}, glm::vec3(1.0f), alpha};
+  };
+  RenderSettings settings = unlit(8);
+  CHECK(render(scene_of({sheet(0.5f, 1.0f), sheet(0.0f, 0.5f)}), front_camera(), settings).counters.layers ==
+        1);
+  CHECK(render(scene_of({sheet(0.5f, 0.5f), sheet(0.0f, 1.0f), sheet(-0.5f, 0.5f)}), front_camera(), settings)
+            .counters.layers == 2);
+  const Scene three = scene_of({sheet(0.5f, 0.5f), sheet(0.0f, 0.5f), sheet(-0.5f, 0.5f)});
+  CHECK(render(three, front_camera(), settings).colour.at(4, 4).a == 223);  // 1 - 0.5³ of 255, half up
+  settings.layers = 2;
+  const Picture limited = render(three, front_camera(), settings);
+  CHECK(limited.counters.layers == 2);
+  CHECK(limited.colour.at(4, 4).a == 191);
+  settings.background = {0, 0, 0, 255};
+  CHECK(render(three, front_camera(), settings).colour.at(4, 4) ==
+        srgb_from_linear(glm::vec4(0.75f, 0.75f, 0.75f, 1.0f)));
+}
+
+TEST_CASE("depth and ids are those of the first layer; a crop of a translucent picture equals the whole") {
+  Random random{23};
+  const Scene scene = scene_of(random_sheets(random, 9));
+  RenderSettings settings = unlit(40);
+  const Picture whole = render(scene, front_camera(), settings);
+  settings.layers = 1;
+  const Picture first = render(scene, front_camera(), settings);
+  settings.layers = 0;
+  settings.crop = Rect{7, 9, 20, 11};
+  const Picture part = render(scene, front_camera(), settings);
+  int different = 0;
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      different += whole.triangle_id.at(x, y) != first.triangle_id.at(x, y) ||
+                   whole.depth.at(x, y) != first.depth.at(x, y);
+      if (settings.crop->contains(x, y))
+        different += !(part.colour.at(x - 7, y - 9) == whole.colour.at(x, y));
+    }
+  }
+  CHECK(different == 0);
+}
