@@ -29,4 +29,6 @@ cmake -S "$work" -B "$work/build" -G Ninja -DHOW="$how" -DCMAKE_BUILD_TYPE=Debug
   -DCMAKE_CXX_FLAGS='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror' "$@" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 [ "$how" != fetch ] || exit 0
 cmake --build "$work/build" --target consumer >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-"$work/build/consumer"
+cd "$work"
+build/consumer || { echo "the consumer's picture is not right (exit code $?)"; exit 1; }
+[ -s cube.png ]
