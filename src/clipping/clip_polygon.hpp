@@ -25,7 +25,7 @@ struct ClippedPolygon {
 
 /// Clips a triangle against the canonical view volume (Sutherland & Hodgman 1974, homogeneous as Blinn &
 /// Newell 1978), plane after plane in table order. The departures from the textbook make it exact where it
-/// can be: each cut goes from the inside to the outside end, *sets* the cut coordinate, and holds the others
+/// can be: each cut goes from the inside to the outside end, *sets* the cut coordinate, and leaves the others
 /// inside the planes that both ends are inside of.
 ///
 /// @param a,b,c  homogeneous clip space, any w (w ≤ 0: behind the eye)

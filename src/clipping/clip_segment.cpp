@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "../base/contract.hpp"
 #include "cut.hpp"
 
 namespace velum {
@@ -27,7 +28,7 @@ void move_to_plane(End& outside, const End& inside, int plane) {
   const bool touches = signed_value(row, inside.point) == 0.0;
   const Cut cut =
       touches ? Cut{inside.point, 0.0} : cut_edge(inside.point, outside.point, static_cast<ClipPlane>(plane));
-  outside = {cut.point, between(inside.t, outside.t, cut.t), plane, outcode(cut.point)};
+  outside = {cut.point, inside.t + cut.t * (outside.t - inside.t), plane, outcode(cut.point)};
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ ClippedSegment clip_segment(const glm::dvec4& a, const glm::dvec4& b) {
   End from = end_at(a, 0.0);
   End to = end_at(b, 1.0);
   // A cut at plane i keeps both ends inside the planes before i: at most one turn per plane.
-  while ((from.code | to.code) != 0) {
+  for (int turn = 0; turn < clip_plane_count && (from.code | to.code) != 0; ++turn) {
     if ((from.code & to.code) != 0) return {};
     // The lowest plane that either end is outside of: exactly one is, so the choice is the same for (b, a).
     const int plane = std::countr_zero(from.code | to.code);
@@ -47,6 +48,7 @@ ClippedSegment clip_segment(const glm::dvec4& a, const glm::dvec4& b) {
       move_to_plane(to, from, plane);
     }
   }
+  VELUM_REQUIRE((from.code | to.code) == 0, {"from.code", from.code}, {"to.code", to.code});
   if (!(from.point.w > 0.0 && to.point.w > 0.0)) return {};
   return {true, from.point, to.point, from.t, to.t, from.plane, to.plane};
 }

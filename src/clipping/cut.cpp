@@ -13,29 +13,37 @@ const ClipPlaneRow& row_of(ClipPlane plane) {
   return clip_planes[static_cast<unsigned>(plane)];
 }
 
-/// t = d_in / (d_in - d_out): a sum of positive numbers below, so nothing cancels.
-double crossing(const glm::dvec4& in, const glm::dvec4& out, const ClipPlaneRow& row) {
+/// How much of each end a crossing is made of; the two add up to 1.
+struct Weights {
+  double in;
+  double out;
+};
+
+/// -d_out / (d_in - d_out) and d_in / (d_in - d_out): below stands a sum of positive numbers, so nothing
+/// cancels, and each weight is relatively accurate, however near the crossing is to one end.
+Weights weights_of(double d_in, double d_out) {
+  const double span = d_in - d_out;
+  return {-d_out / span, d_in / span};
+}
+
+Weights crossing(const glm::dvec4& in, const glm::dvec4& out, const ClipPlaneRow& row) {
   const double d_in = signed_value(row, in);
-  const double span = d_in - signed_value(row, out);
-  if (std::isfinite(span)) return d_in / span;
-  const double scaled_in = signed_value(row, in * k_overflow_scale);
-  return scaled_in / (scaled_in - signed_value(row, out * k_overflow_scale));
+  const double d_out = signed_value(row, out);
+  if (std::isfinite(d_in - d_out)) return weights_of(d_in, d_out);
+  return weights_of(signed_value(row, in * k_overflow_scale), signed_value(row, out * k_overflow_scale));
 }
 
-/// The plane on the other side of the volume: 0↔1, 2↔3, 4↔5.
-unsigned opposite(ClipPlane plane) {
-  return static_cast<unsigned>(plane) ^ 1u;
+/// Never beyond either end, so equal coordinates stay as they are and a positive w stays positive. Rounding
+/// is monotone and the weights are not negative: where x ≤ w (or -x ≤ w, or z ≤ w, or 0 ≤ z) holds at both
+/// ends, it holds for their mixtures too, exactly. (The usual in + t·(out - in) is not monotone in this
+/// sense.)
+double mix(double in, double out, const Weights& weights) {
+  return std::clamp(in * weights.in + out * weights.out, std::min(in, out), std::max(in, out));
 }
 
-/// Rounding can push a coordinate one ulp over a plane that both ends are inside of: put it back.
-/// Planes that either end is outside of are left alone; their own turn comes. Where both planes of a pair
-/// hold, w ≥ 0, so their two bounds never contradict each other.
-void hold_inside(glm::dvec4& point, unsigned held, ClipPlane cut_plane) {
-  for (unsigned i = 0; i < clip_planes.size(); ++i) {
-    const ClipPlaneRow& row = clip_planes[i];
-    if ((held >> i & 1u) == 0 || row.axis == row_of(cut_plane).axis) continue;
-    if (signed_value(row, point) < 0.0) point[row.axis] = row.bound * point.w;
-  }
+/// The plane on the other side of the volume: front ↔ behind, left ↔ right, below ↔ above.
+const ClipPlaneRow& opposite(ClipPlane plane) {
+  return clip_planes[static_cast<unsigned>(plane) ^ 1u];
 }
 
 }  // namespace
@@ -44,24 +52,18 @@ bool is_finite(const glm::dvec4& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-double between(double a, double b, double t) {
-  const double difference = b - a;
-  if (!std::isfinite(difference)) return 2.0 * between(0.5 * a, 0.5 * b, t);
-  return std::clamp(a + t * difference, std::min(a, b), std::max(a, b));
-}
-
 Cut cut_edge(const glm::dvec4& in, const glm::dvec4& out, ClipPlane plane) {
   const ClipPlaneRow& row = row_of(plane);
-  const double t = crossing(in, out, row);
+  const Weights weights = crossing(in, out, row);
   glm::dvec4 point;
-  for (int axis = 0; axis < 4; ++axis) point[axis] = between(in[axis], out[axis], t);
+  for (int axis = 0; axis < 4; ++axis) point[axis] = mix(in[axis], out[axis], weights);
 
-  const unsigned held = ~(static_cast<unsigned>(outcode(in)) | static_cast<unsigned>(outcode(out)));
-  // On plane i and inside the opposite one means w ≥ 0 (2w ≥ 0 for x and y, w ≥ z = 0 or z = w ≥ 0 for z).
-  if ((held >> opposite(plane) & 1u) != 0) point.w = std::max(point.w, 0.0);
+  // On plane i and inside the opposite one means w ≥ 0 (2w ≥ 0 for x and y, w ≥ z = 0 or z = w ≥ 0 for z),
+  // but the mixture can miss that where the ends have w of different signs.
+  const bool holds = signed_value(opposite(plane), in) >= 0.0 && signed_value(opposite(plane), out) >= 0.0;
+  if (holds) point.w = std::max(point.w, 0.0);
   point[row.axis] = row.bound * point.w + 0.0;  // + 0.0: never -0.0
-  hold_inside(point, held, plane);
-  return {point, t};
+  return {point, weights.out};
 }
 
 }  // namespace velum

@@ -20,9 +20,6 @@ struct Cut {
 ///       not moved by these rules lies between those of the ends
 Cut cut_edge(const glm::dvec4& in, const glm::dvec4& out, ClipPlane plane);
 
-/// The number between a (t = 0) and b (t = 1), never beyond either; no overflow for any finite a and b.
-double between(double a, double b, double t);
-
 /// Neither NaN nor infinite.
 bool is_finite(const glm::dvec4& v);
 
