@@ -24,13 +24,19 @@ glm::dvec3 up_in_picture(UpAxis up, const glm::dvec3& to_viewer) {
   return unit(of_top_view - to_viewer * glm::dot(of_top_view, to_viewer));
 }
 
-/// A headlight over the viewer's left shoulder, as draughtsmen light their objects: straight from the eye,
-/// the three faces of an isometric cube would be equally bright.
-DirectionalLight headlight(UpAxis up, const glm::dvec3& to_viewer) {
+/// A lamp beside the viewer: `above` and `right` of the line of sight, as slopes.
+DirectionalLight lamp(UpAxis up, const glm::dvec3& to_viewer, double above, double right, float radiance) {
   const glm::dvec3 towards = unit(to_viewer);
-  const glm::dvec3 above = up_in_picture(up, towards);
-  const glm::dvec3 right = glm::cross(above, towards);
-  return {-unit(towards + above * 0.35 - right * 0.25), glm::vec3(1.0f)};
+  const glm::dvec3 up_direction = up_in_picture(up, towards);
+  const glm::dvec3 right_direction = glm::cross(up_direction, towards);
+  return {-unit(towards + up_direction * above + right_direction * right), glm::vec3(radiance)};
+}
+
+/// A key light over the viewer's left shoulder, as draughtsmen light their objects: straight from the eye,
+/// the three faces of an isometric cube would be equally bright. A weak light from the right keeps what turns
+/// away from it readable.
+std::vector<DirectionalLight> headlights(UpAxis up, const glm::dvec3& to_viewer) {
+  return {lamp(up, to_viewer, 0.35, -0.25, 0.8f), lamp(up, to_viewer, 0.1, 1.2, 0.25f)};
 }
 
 /// What one light of unit direction `to_light` adds.
@@ -54,7 +60,7 @@ Lighting lighting_of(const Scene& scene, const glm::dvec3& to_viewer) {
   lighting.points = scene.point_lights;
   for (DirectionalLight& light : lighting.directional) light.direction = unit(light.direction);
   if (lighting.directional.empty() && lighting.points.empty())
-    lighting.directional.push_back(headlight(scene.up, to_viewer));
+    lighting.directional = headlights(scene.up, to_viewer);
   return lighting;
 }
 

@@ -22,16 +22,16 @@ enum class Shading {
   barycentric,  ///< the barycentric coordinates as red, green, blue
 };
 
-/// The lights of a scene ready for shading; a scene without lights gets a headlight over the viewer's left
-/// shoulder.
+/// The lights of a scene ready for shading; a scene without lights gets two headlights: a key light
+/// over the viewer's left shoulder and a weak one from the right.
 struct Lighting {
   glm::vec3 ambient{0.0f};
   std::vector<DirectionalLight> directional;  ///< direction of unit length
   std::vector<PointLight> points;
 };
 
-/// @param to_viewer  direction from the scene to the viewer at the picture's centre; a headlight stands near
-/// it
+/// @param to_viewer  direction from the scene to the viewer at the picture's centre; the headlights stand
+/// beside it
 Lighting lighting_of(const Scene& scene, const glm::dvec3& to_viewer);
 
 /// Blinn–Phong in linear light: ambient + Σ radiance·(diffuse·base·max(0,n·l) +

@@ -74,11 +74,11 @@ TEST_CASE("Blinn-Phong equals values worked out by hand") {
   }
 }
 
-TEST_CASE("lights of a scene are taken over at unit length; without any there is a headlight") {
+TEST_CASE("lights of a scene are taken over at unit length; without any there are headlights") {
   velum::Scene scene;
   scene.directional_lights = {{{0, -3, -4}, glm::vec3(0.5f)}};
   velum::Lighting lighting = velum::lighting_of(scene, {0, 0, 1});
-  REQUIRE(lighting.directional.size() == 1);
+  REQUIRE(lighting.directional.size() == 2);
   CHECK(lighting.directional[0].direction.y == doctest::Approx(-0.6));
   scene.directional_lights.clear();
   scene.point_lights = {{}};
@@ -89,10 +89,13 @@ TEST_CASE("lights of a scene are taken over at unit length; without any there is
     for (const glm::dvec3& v :
          {glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(1, 2, 3)}) {
       lighting = velum::lighting_of(scene, v);
-      REQUIRE(lighting.directional.size() == 1);
+      REQUIRE(lighting.directional.size() == 2);
       const glm::dvec3 d = lighting.directional[0].direction;
       CHECK(glm::dot(d, d) == doctest::Approx(1.0));
       CHECK(glm::dot(-d, glm::normalize(v)) > 0.9);
+      // The second lamp is weaker and stands on the other side.
+      CHECK(lighting.directional[1].radiance.x < lighting.directional[0].radiance.x);
+      CHECK(glm::dot(lighting.directional[1].direction, d) < 0.75);
     }
   }
 }
@@ -121,7 +124,9 @@ TEST_CASE("Gouraud at a vertex is Phong at that vertex, front and back") {
       point.barycentric = glm::vec3(i == 0, i == 1, i == 2);
       point.colour = t.colours[i];
       const glm::vec4 gouraud = velum::shade(velum::Shading::gouraud, lighting, lit, point, {});
-      CHECK(gouraud == velum::shade(velum::Shading::phong, lighting, lit, point, {}));
+      const glm::vec4 phong = velum::shade(velum::Shading::phong, lighting, lit, point, {});
+      for (int channel = 0; channel < 4; ++channel)
+        CHECK(gouraud[channel] == doctest::Approx(phong[channel]).epsilon(1e-6));
     }
   }
 }
