@@ -78,7 +78,7 @@ TEST_CASE("lights of a scene are taken over at unit length; without any there ar
   velum::Scene scene;
   scene.directional_lights = {{{0, -3, -4}, glm::vec3(0.5f)}};
   velum::Lighting lighting = velum::lighting_of(scene, {0, 0, 1});
-  REQUIRE(lighting.directional.size() == 2);
+  REQUIRE(lighting.directional.size() == 1);
   CHECK(lighting.directional[0].direction.y == doctest::Approx(-0.6));
   scene.directional_lights.clear();
   scene.point_lights = {{}};
