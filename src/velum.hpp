@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "clipping/clip_polygon.hpp"
 #include "clipping/clip_segment.hpp"
+#include "drawing/canvas.hpp"
 #include "image/files.hpp"
 #include "image/image.hpp"
 #include "pipeline/render.hpp"
