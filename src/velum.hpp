@@ -16,6 +16,7 @@
 #include "drawing/canvas.hpp"
 #include "image/files.hpp"
 #include "image/image.hpp"
+#include "image/texture.hpp"
 #include "pipeline/render.hpp"
 #include "projection/camera.hpp"
 #include "projection/frame.hpp"

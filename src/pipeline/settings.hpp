@@ -8,6 +8,7 @@
 #include "../image/colour.hpp"
 #include "../shading/shading.hpp"
 #include "../shading/surface_point.hpp"
+#include "../shading/texture_filter.hpp"
 
 namespace velum {
 
@@ -28,6 +29,7 @@ struct RenderSettings {
   VisibilityMethod visibility = VisibilityMethod::zbuffer;
   Shading shading = Shading::phong;
   Shader shader{};  ///< custom shading; replaces `shading` where set
+  TextureFilter texture_filter = TextureFilter::trilinear;
   Cull cull = Cull::none;
   bool wireframe = false;      ///< edges of the visible triangles over the picture
   std::uint64_t layers = 0;    ///< most translucent layers blended per pixel; 0: until exhausted

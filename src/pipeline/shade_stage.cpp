@@ -35,6 +35,7 @@ ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, Lay
   viewer_.viewport = {input.settings.width, input.settings.height};
   viewer_.eye = eye_of(input.viewing.clip_from_world());
   viewer_.metric_depth_plane = metric_depth_plane(input.camera);
+  viewer_.texture_filter = input.settings.texture_filter;
   range_ = depth_view_range(world_from_clip, viewer_.metric_depth_plane);
   lighting_ = lighting_of(input.scene, to_viewer_from(middle_at(world_from_clip, 0.5), viewer_.eye));
   for (const Instance& instance : input.scene.instances()) {

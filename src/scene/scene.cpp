@@ -34,6 +34,8 @@ void hash_material(RevisionHash& hash, const Material& m) {
   hash.value(m.base_colour).value(m.ambient).value(m.diffuse).value(m.specular).value(m.absorption);
   hash.value(m.shininess).value(m.alpha).value(m.mirror_share).value(m.transmission_share);
   hash.value(m.refractive_index);
+  hash.word(m.texture ? m.texture->content_hash() : 0);
+  hash.value(m.texture_mapping.wrap).value(m.texture_mapping.scale).value(m.texture_mapping.offset);
 }
 
 bool is_finite(const glm::dvec3& v) {

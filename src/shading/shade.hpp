@@ -14,6 +14,8 @@ namespace velum {
 struct LitTriangle {
   glm::vec4 face{0.0f};              ///< flat: lit at the centroid with the geometric normal
   std::array<glm::vec4, 3> corners;  ///< gouraud: lit at the vertices
+  glm::vec3 face_highlight{0.0f};    ///< the part of `face` that no texture colours; 0 without a texture
+  std::array<glm::vec3, 3> corner_highlights{};  ///< the same of `corners`
 };
 
 /// Lights a triangle's centroid (flat) or vertices (gouraud); does nothing for the other shadings.

@@ -28,6 +28,21 @@ glm::vec3 shading_normal(const TriangleView& triangle, const glm::vec3& weights)
   return length > 0.0f ? sum / length : triangle.geometric_normal;
 }
 
+/// Looks the texture up in double: far out, a float coordinate is coarser than a texel.
+void apply_texture(SurfacePoint& point, const TriangleView& triangle, const glm::dvec3& weights) {
+  const Material& material = *triangle.material;
+  if (material.texture == nullptr) return;
+  glm::dvec2 at(0.0);
+  for (std::size_t i = 0; i < 3; ++i)
+    at += glm::dvec2(triangle.texture_coordinates[i]) * weights[static_cast<int>(i)];
+  const TextureMapping& mapping = material.texture_mapping;
+  const glm::dvec2 scale(mapping.scale);
+  point.texel =
+      filtered(*material.texture, mapping.wrap, triangle.texture_filter,
+               {at * scale + glm::dvec2(mapping.offset), point.texture_dx * scale, point.texture_dy * scale});
+  point.colour *= point.texel;
+}
+
 }  // namespace
 
 SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float reversed_depth) {
@@ -40,6 +55,9 @@ SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float rev
   point.shading_normal = shading_normal(triangle, point.barycentric);
   point.colour = interpolate(triangle.colours, point.barycentric);
   point.texture_coordinate = interpolate(triangle.texture_coordinates, point.barycentric);
+  const glm::dmat2 change = texture_derivatives_at(triangle, x + 0.5, y + 0.5);
+  point.texture_dx = change[0];
+  point.texture_dy = change[1];
   point.metric_depth = metric_depth(triangle, barycentrics);
   point.depth = 1.0f - reversed_depth;
   point.object = triangle.place.instance;
@@ -49,6 +67,7 @@ SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float rev
   point.x = x;
   point.y = y;
   point.material = triangle.material;
+  apply_texture(point, triangle, barycentrics.clamped);
   return point;
 }
 

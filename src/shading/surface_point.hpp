@@ -18,13 +18,16 @@ struct SurfacePoint {
   glm::vec3 shading_normal{
       0.0f};  ///< interpolated, unit length, turned to the viewer's side with the geometric one
   glm::vec3 barycentric{0.0f};  ///< perspective-correct, ≥ 0, sum 1
-  glm::vec4 colour{1.0f};       ///< linear, straight alpha: vertex colour · base colour
-  glm::vec2 texture_coordinate{0.0f};
-  double metric_depth = 0.0;    ///< distance from the camera plane along the look vector, world units
-  float depth = 1.0f;           ///< canonical, 0 near … 1 far
-  std::uint32_t object = 0;     ///< instance
-  std::uint32_t triangle = 0;   ///< in the instance's mesh
-  std::uint32_t primitive = 0;  ///< in the scene
+  glm::vec4 colour{1.0f};       ///< linear, straight alpha: vertex colour · base colour · texel
+  glm::vec4 texel{1.0f};        ///< the material's texture under the pixel, linear, straight alpha; none: 1
+  glm::vec2 texture_coordinate{0.0f};  ///< the mesh's
+  glm::dvec2 texture_dx{0.0};          ///< its change per pixel to the right, exact at the pixel's centre
+  glm::dvec2 texture_dy{0.0};          ///< its change per pixel down
+  double metric_depth = 0.0;           ///< distance from the camera plane along the look vector, world units
+  float depth = 1.0f;                  ///< canonical, 0 near … 1 far
+  std::uint32_t object = 0;            ///< instance
+  std::uint32_t triangle = 0;          ///< in the instance's mesh
+  std::uint32_t primitive = 0;         ///< in the scene
   bool back_facing = false;
   int x = 0;  ///< pixel
   int y = 0;

@@ -53,7 +53,7 @@ void set_up_picture(TriangleView& view, const Viewport& viewport) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 edge = glm::cross(view.pixel[next(i)], view.pixel[next(next(i))]);
-    view.edge_gradient[i] = std::sqrt(edge.x * edge.x + edge.y * edge.y);
+    view.edge_gradient[i] = {edge.x, edge.y};
   }
 }
 
@@ -128,6 +128,7 @@ TriangleView view_triangle(const Scene& scene, const PrimitivePlace& place,
   view.primitive = scene.primitive(place);
   view.material = &scene.materials()[instance.material];
   view.eye = viewer.eye;
+  view.texture_filter = viewer.texture_filter;
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec4 object(mesh.positions[indices[static_cast<int>(i)]], 1.0);
     view.clip[i] = clip_from_object * object;
@@ -157,14 +158,37 @@ Barycentrics barycentrics_at(const TriangleView& triangle, double px, double py)
   return result;
 }
 
+glm::dmat2 texture_derivatives_at(const TriangleView& triangle, double px, double py) {
+  const glm::dmat2 none(0.0);
+  if (triangle.determinant == 0.0) return none;
+  const glm::dvec3 edges = edge_values(triangle, px, py);
+  const double sum = edges.x + edges.y + edges.z;
+  const auto& coordinates = triangle.texture_coordinates;
+  const glm::dvec2 at = (glm::dvec2(coordinates[0]) * edges.x + glm::dvec2(coordinates[1]) * edges.y +
+                         glm::dvec2(coordinates[2]) * edges.z) /
+                        sum;
+  glm::dmat2 change = none;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec2 from_here = glm::dvec2(coordinates[i]) - at;
+    change[0] += from_here * triangle.edge_gradient[i].x;
+    change[1] += from_here * triangle.edge_gradient[i].y;
+  }
+  change[0] /= sum;
+  change[1] /= sum;
+  const double size = glm::dot(change[0], change[0]) + glm::dot(change[1], change[1]);
+  return std::isfinite(size) ? change : none;
+}
+
 float edge_distance(const TriangleView& triangle, double px, double py) {
   if (triangle.determinant == 0.0) return 0.0f;
   const glm::dvec3 edges = edge_values(triangle, px, py);
   const double sum = edges.x + edges.y + edges.z;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(triangle.edge_gradient[i] > 0.0)) continue;  // an edge at infinity
-    const double value = edges[static_cast<int>(i)] / triangle.edge_gradient[i];
+    const glm::dvec2& gradient = triangle.edge_gradient[i];
+    const double steepness = std::sqrt(gradient.x * gradient.x + gradient.y * gradient.y);
+    if (!(steepness > 0.0)) continue;  // an edge at infinity
+    const double value = edges[static_cast<int>(i)] / steepness;
     smallest = std::min(smallest, sum < 0.0 ? -value : value);
   }
   return smallest > 0.0 ? static_cast<float>(smallest) : 0.0f;

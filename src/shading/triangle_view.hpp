@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/mat2x2.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -10,6 +11,7 @@
 #include "../projection/viewport.hpp"
 #include "../scene/scene.hpp"
 #include "surface_point.hpp"
+#include "texture_filter.hpp"
 
 namespace velum {
 
@@ -18,6 +20,7 @@ struct Viewer {
   Viewport viewport;
   glm::dvec4 eye{0.0, 0.0, 1.0, 0.0};  ///< (COP, 1) or (-DOP, 0), see eye_of()
   glm::dvec4 metric_depth_plane{0.0};  ///< see metric_depth_plane()
+  TextureFilter texture_filter = TextureFilter::trilinear;
 };
 
 /// Unit direction from a world point to the viewer; zero if the point is the COP itself.
@@ -30,13 +33,14 @@ struct TriangleView {
   std::uint32_t primitive = 0;
   const Material* material = nullptr;
   Facing facing = Facing::front;
-  double determinant = 0.0;             ///< homogeneous_determinant() of the clip-space vertices
-  bool is_in_front = false;             ///< all vertices have w > 0
-  int nearest = 0;                      ///< among vertices with w > 0 the one of largest reversed depth
-  glm::dvec4 eye{0.0, 0.0, 1.0, 0.0};   ///< of the viewer
-  std::array<glm::dvec4, 3> clip;       ///< homogeneous, unclipped
-  std::array<glm::dvec3, 3> pixel;      ///< (x·w, y·w, w), x and y in pixels, y down
-  std::array<double, 3> edge_gradient;  ///< length of the gradient of edge plane i, per pixel
+  double determinant = 0.0;            ///< homogeneous_determinant() of the clip-space vertices
+  bool is_in_front = false;            ///< all vertices have w > 0
+  int nearest = 0;                     ///< among vertices with w > 0 the one of largest reversed depth
+  glm::dvec4 eye{0.0, 0.0, 1.0, 0.0};  ///< of the viewer
+  TextureFilter texture_filter = TextureFilter::trilinear;
+  std::array<glm::dvec4, 3> clip;           ///< homogeneous, unclipped
+  std::array<glm::dvec3, 3> pixel;          ///< (x·w, y·w, w), x and y in pixels, y down
+  std::array<glm::dvec2, 3> edge_gradient;  ///< of edge plane i, per pixel
   std::array<glm::dvec3, 3> world;
   std::array<double, 3> metric_depth;            ///< world units
   glm::vec3 geometric_normal{0.0f};              ///< world space, unit length (0 without area), viewer's side
@@ -62,6 +66,13 @@ TriangleView view_triangle(const Scene& scene, const PrimitivePlace& place,
 /// Source: Olano & Greer 1997: the edge planes are the rows of the adjugate of the columns (x, y, w); here
 /// they are evaluated with the origin moved to (px, py), which keeps small triangles accurate.
 Barycentrics barycentrics_at(const TriangleView& triangle, double px, double py);
+
+/// How the mesh's texture coordinates change per pixel to the right (column 0) and down (column 1) where the
+/// triangle's plane is seen at (px, py); exact, also with vertices at w ≤ 0. Zero for a triangle seen edge-on
+/// and on the plane's horizon, where barycentrics_at() gives a vertex.
+/// Source: Heckbert 1989, "Fundamentals of Texture Mapping and Image Warping": the quotient rule on
+/// u = Σ uᵢ·βᵢ / Σ βᵢ, with the edge planes βᵢ.
+glm::dmat2 texture_derivatives_at(const TriangleView& triangle, double px, double py);
 
 /// Distance in pixels from a position in the picture to the nearest projected edge of the triangle;
 /// 0 outside the triangle or for a triangle seen edge-on.
