@@ -4,6 +4,7 @@
 
 #include "../base/error.hpp"
 #include "checks.hpp"
+#include "extreme_points.hpp"
 #include "framing.hpp"
 
 namespace velum {
@@ -114,17 +115,17 @@ double span_from(double start, double size) {
 
 }  // namespace
 
-std::array<glm::dvec3, 8> Framing::corners_from(const glm::dvec3& origin) const {
-  std::array<glm::dvec3, 8> corners = box.corners();
-  for (glm::dvec3& corner : corners) corner = axes.camera_from_world(corner - origin);
-  return corners;
+Points Framing::outline_from(const glm::dvec3& origin) const {
+  Points points = outline;
+  for (glm::dvec3& point : points) point = axes.camera_from_world(point - origin);
+  return points;
 }
 
-Range depths(const std::array<glm::dvec3, 8>& corners) {
-  Range range{-corners[0].z, -corners[0].z};
-  for (const glm::dvec3& corner : corners) {
-    range.lower = glm::min(range.lower, -corner.z);
-    range.upper = glm::max(range.upper, -corner.z);
+Range depths(const Points& points) {
+  Range range{-points[0].z, -points[0].z};
+  for (const glm::dvec3& point : points) {
+    range.lower = glm::min(range.lower, -point.z);
+    range.upper = glm::max(range.upper, -point.z);
   }
   return range;
 }
@@ -151,7 +152,9 @@ Range near_and_far(const Framing& framing, const Range& depth, double least_shar
   return range;
 }
 
-Camera frame(const Aabb& bounds, const Projection& projection, const FrameOptions& options) {
+namespace {
+
+Framing framing_of(const Aabb& bounds, const Projection& projection, const FrameOptions& options) {
   check_options(options, projection.family);
   Framing framing;
   framing.options = options;
@@ -161,8 +164,36 @@ Camera frame(const Aabb& bounds, const Projection& projection, const FrameOption
   framing.focus = options.target.value_or(framing.box.centre());
   const glm::dvec3 look = look_direction(framing);
   framing.axes = camera_axes(look, up_direction(framing, look));
-  const bool perspective = projection.family == ProjectionFamily::perspective;
+  const auto corners = framing.box.corners();
+  framing.outline.assign(corners.begin(), corners.end());
+  return framing;
+}
+
+Camera framed(const Framing& framing) {
+  const bool perspective = framing.projection.family == ProjectionFamily::perspective;
   return perspective ? frame_perspective(framing) : frame_parallel(framing);
+}
+
+}  // namespace
+
+Camera frame(const Aabb& bounds, const Projection& projection, const FrameOptions& options) {
+  return framed(framing_of(bounds, projection, options));
+}
+
+Camera frame(std::span<const glm::dvec3> points, const Projection& projection, const FrameOptions& options) {
+  std::vector<glm::dvec3> finite;
+  Aabb bounds;
+  for (const glm::dvec3& point : points) {
+    if (!is_finite(point)) continue;
+    finite.push_back(point);
+    bounds.include(point);
+  }
+  Framing framing = framing_of(bounds, projection, options);
+  // A box that had to be made larger to have an extent at all keeps its corners.
+  const bool has_extent =
+      !finite.empty() && framing.box.lower == bounds.lower && framing.box.upper == bounds.upper;
+  if (has_extent) framing.outline = extreme_points(finite, framing.axes, framing.box.centre());
+  return framed(framing);
 }
 
 }  // namespace velum

@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 
 #include "../base/aabb.hpp"
 #include "camera.hpp"
@@ -37,5 +38,10 @@ struct FrameOptions {
 /// camera, with a blank picture.
 /// @throws Error (usage) for options that cannot be met, naming them
 Camera frame(const Aabb& bounds, const Projection& projection, const FrameOptions& options = {});
+
+/// The same around points instead of a box: tighter, since a box's corners are seldom part of what it holds.
+/// Points that are not finite are left out. Scene::points() gives a scene's.
+Camera frame(std::span<const glm::dvec3> points, const Projection& projection,
+             const FrameOptions& options = {});
 
 }  // namespace velum

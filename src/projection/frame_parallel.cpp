@@ -7,11 +7,10 @@ namespace velum {
 namespace {
 
 // Height of the window, centred on the picture of the focus, that holds the sheared box with the margin.
-double window_height(const Framing& framing, const std::array<glm::dvec3, 8>& corners,
-                     const glm::dvec2& shear) {
+double window_height(const Framing& framing, const Points& points, const glm::dvec2& shear) {
   glm::dvec2 reach(0.0);
-  for (const glm::dvec3& corner : corners) {
-    reach = glm::max(reach, glm::abs(glm::dvec2(corner) + shear * corner.z));
+  for (const glm::dvec3& point : points) {
+    reach = glm::max(reach, glm::abs(glm::dvec2(point) + shear * point.z));
   }
   const double needed = glm::max(reach.y, reach.x / framing.options.aspect);
   // A line seen from its end has no picture to fit.
@@ -24,9 +23,9 @@ double window_height(const Framing& framing, const std::array<glm::dvec3, 8>& co
 Camera frame_parallel(const Framing& framing) {
   const glm::dvec2 shear = framing.projection.shear;
   check_finite(shear, "shear");
-  const std::array<glm::dvec3, 8> around_focus = framing.corners_from(framing.focus);
+  const Points around_focus = framing.outline_from(framing.focus);
   const Range from_focus = depths(around_focus);
-  // Far enough back that the nearest corner is one box size in front.
+  // Far enough back that the nearest point is one box size in front.
   const double distance = glm::max(framing.size - from_focus.lower, 0.0);
   const glm::dvec3 position = framing.options.eye.value_or(framing.focus + framing.axes.back * distance);
   const double focus =

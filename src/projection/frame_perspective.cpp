@@ -8,18 +8,16 @@
 namespace velum {
 namespace {
 
-using Corners = std::array<glm::dvec3, 8>;
-
 constexpr double default_angle = radians(60.0);
 constexpr double widest_slope = 1.1917535925942099;  // tan 50°: pictures wider than 100° look strained
 constexpr double nearest_share = 1e-4;               // smallest near, as a share of far
 constexpr double clearance = 0.01;                   // smallest distance to the box, as a share of its size
 
 // Slopes are x / depth and y / depth seen from the eye: where a point lies in the picture.
-Range slopes(const Corners& corners, const glm::dvec3& eye, int axis) {
+Range slopes(const Points& points, const glm::dvec3& eye, int axis) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const glm::dvec3& corner : corners) {
-    const double slope = (corner[axis] - eye[axis]) / (eye.z - corner.z);
+  for (const glm::dvec3& point : points) {
+    const double slope = (point[axis] - eye[axis]) / (eye.z - point.z);
     range.lower = glm::min(range.lower, slope);
     range.upper = glm::max(range.upper, slope);
   }
@@ -37,23 +35,23 @@ struct AxisFit {
   double least() const { return (keep_centre ? glm::max(plus, minus) : 0.5 * (plus + minus)) / half_slope; }
 };
 
-// |x - x_eye| ≤ t·(z_eye - z) for all corners: two lines bound the eye.
-AxisFit centred_fit(const Corners& corners, int axis, double half_slope, bool keep_centre) {
+// |x - x_eye| ≤ t·(z_eye - z) for all points: two lines bound the eye.
+AxisFit centred_fit(const Points& points, int axis, double half_slope, bool keep_centre) {
   AxisFit fit{half_slope,
               {},
               -std::numeric_limits<double>::infinity(),
               -std::numeric_limits<double>::infinity(),
               keep_centre};
-  for (const glm::dvec3& corner : corners) {
-    fit.plus = glm::max(fit.plus, corner[axis] + half_slope * corner.z);
-    fit.minus = glm::max(fit.minus, -corner[axis] + half_slope * corner.z);
+  for (const glm::dvec3& point : points) {
+    fit.plus = glm::max(fit.plus, point[axis] + half_slope * point.z);
+    fit.minus = glm::max(fit.minus, -point[axis] + half_slope * point.z);
   }
   return fit;
 }
 
 // The eye's x at distance z, chosen so that the box's picture has as much room on one side as on the other:
 // by halving, for as the eye moves right every slope falls.
-double eye_offset(const Corners& corners, int axis, const AxisFit& fit, double z) {
+double eye_offset(const Points& points, int axis, const AxisFit& fit, double z) {
   if (fit.eye_slope) return *fit.eye_slope * z;
   if (fit.keep_centre) return 0.0;
   double left = fit.plus - fit.half_slope * z;
@@ -63,24 +61,24 @@ double eye_offset(const Corners& corners, int axis, const AxisFit& fit, double z
     if (!(left < middle && middle < right)) return middle;
     glm::dvec3 eye(0.0, 0.0, z);
     eye[axis] = middle;
-    const Range range = slopes(corners, eye, axis);
+    const Range range = slopes(points, eye, axis);
     const double balance = range.lower + range.upper;
     if (balance == 0.0) return middle;
     (balance > 0.0 ? left : right) = middle;
   }
 }
 
-glm::dvec3 eye_at(const Corners& corners, const std::array<AxisFit, 2>& fits, double z) {
-  return {eye_offset(corners, 0, fits[0], z), eye_offset(corners, 1, fits[1], z), z};
+glm::dvec3 eye_at(const Points& points, const std::array<AxisFit, 2>& fits, double z) {
+  return {eye_offset(points, 0, fits[0], z), eye_offset(points, 1, fits[1], z), z};
 }
 
-bool window_holds(const Corners& corners, const std::array<AxisFit, 2>& fits, double z) {
+bool window_holds(const Points& points, const std::array<AxisFit, 2>& fits, double z) {
   for (int axis = 0; axis < 2; ++axis) {
     const AxisFit& fit = fits[static_cast<std::size_t>(axis)];
     if (!fit.eye_slope) continue;
     glm::dvec3 eye(0.0, 0.0, z);
     eye[axis] = *fit.eye_slope * z;
-    const Range range = slopes(corners, eye, axis);
+    const Range range = slopes(points, eye, axis);
     if (range.upper - range.lower > 2.0 * fit.half_slope) return false;
   }
   return true;
@@ -88,18 +86,18 @@ bool window_holds(const Corners& corners, const std::array<AxisFit, 2>& fits, do
 
 // The nearest z from which a window moved by lens shift holds the box: the box's picture only shrinks with
 // distance, so the place is bracketed and halved until double has no number between.
-double nearest_fit(const Corners& corners, const std::array<AxisFit, 2>& fits, double least, double step) {
-  if (window_holds(corners, fits, least)) return least;
+double nearest_fit(const Points& points, const std::array<AxisFit, 2>& fits, double least, double step) {
+  if (window_holds(points, fits, least)) return least;
   double outside = least;
   double inside = least + step;
-  for (; !window_holds(corners, fits, inside) && step < 1e300; step *= 2.0) {
+  for (; !window_holds(points, fits, inside) && step < 1e300; step *= 2.0) {
     outside = inside;
     inside += step;
   }
   while (true) {
     const double middle = outside + 0.5 * (inside - outside);
     if (!(outside < middle && middle < inside)) return inside;
-    (window_holds(corners, fits, middle) ? inside : outside) = middle;
+    (window_holds(points, fits, middle) ? inside : outside) = middle;
   }
 }
 
@@ -118,8 +116,8 @@ glm::dvec2 half_slope_of(const Opening& opening, double aspect) {
   return {slope * aspect, slope};
 }
 
-Camera camera_at(const Framing& f, const glm::dvec3& position, const Corners& from_eye,
-                 const Opening& opening, const glm::dvec2& shift) {
+Camera camera_at(const Framing& f, const glm::dvec3& position, const Points& from_eye, const Opening& opening,
+                 const glm::dvec2& shift) {
   const Range range = near_and_far(f, depths(from_eye), nearest_share);
   return Camera::perspective(f.pose_at(position), {opening, shift}, range.lower, range.upper);
 }
@@ -128,12 +126,12 @@ Camera camera_at(const Framing& f, const glm::dvec3& position, const Corners& fr
 Camera frame_freely(const Framing& f) {
   const Opening opening = opening_of(f);
   const glm::dvec2 half_slope = half_slope_of(opening, f.options.aspect);
-  const Corners corners = f.corners_from(f.focus);
+  const Points points = f.outline_from(f.focus);
   const glm::dvec3 to_eye = f.axes.camera_from_world(f.projection.to_eye);
   const bool keep_centre = f.options.target.has_value();
 
   std::array<AxisFit, 2> fits{};
-  double least = clearance * f.size - depths(corners).lower;
+  double least = clearance * f.size - depths(points).lower;
   for (int axis = 0; axis < 2; ++axis) {
     AxisFit& fit = fits[static_cast<std::size_t>(axis)];
     const double usable = half_slope[axis] * f.usable();
@@ -141,25 +139,25 @@ Camera frame_freely(const Framing& f) {
     if (f.projection.vanishing_points != 0 && std::abs(to_eye[axis]) > 1e-9 * to_eye.z) {
       fit = {usable, to_eye[axis] / to_eye.z};
     } else {
-      fit = centred_fit(corners, axis, usable, keep_centre);
+      fit = centred_fit(points, axis, usable, keep_centre);
       least = glm::max(least, fit.least());
     }
   }
-  const glm::dvec3 eye = eye_at(corners, fits, nearest_fit(corners, fits, least, f.size));
+  const glm::dvec3 eye = eye_at(points, fits, nearest_fit(points, fits, least, f.size));
 
   glm::dvec2 shift(0.0);
   for (int axis = 0; axis < 2; ++axis) {
     if (!fits[static_cast<std::size_t>(axis)].eye_slope) continue;
-    const Range range = slopes(corners, eye, axis);
+    const Range range = slopes(points, eye, axis);
     shift[axis] = 0.25 * (range.lower + range.upper) / half_slope[axis];
   }
   const glm::dvec3 position = f.focus + f.axes.world_from_camera(eye);
-  return camera_at(f, position, f.corners_from(position), opening, shift);
+  return camera_at(f, position, f.outline_from(position), opening, shift);
 }
 
 // Where a user's eye has the middle of its picture: on the look vector, except that one-point (x and y) and
 // two-point perspective (y) shift the lens to the target, or to the middle of the box.
-glm::dvec2 middle_slope(const Framing& f, const Corners& from_eye) {
+glm::dvec2 middle_slope(const Framing& f, const Points& from_eye) {
   const int count = f.projection.vanishing_points;
   glm::dvec2 middle(0.0);
   if (count == 0) return middle;
@@ -177,7 +175,7 @@ glm::dvec2 middle_slope(const Framing& f, const Corners& from_eye) {
 }
 
 // The opening angle that holds the box seen from a user's eye, if that is not too wide.
-Opening fitting_opening(const Framing& f, const Corners& from_eye, const glm::dvec2& middle) {
+Opening fitting_opening(const Framing& f, const Points& from_eye, const glm::dvec2& middle) {
   const Range depth = depths(from_eye);
   if (!(depth.lower > 0.0)) return VerticalAngle{default_angle};
   glm::dvec2 reach(0.0);
@@ -193,7 +191,7 @@ Opening fitting_opening(const Framing& f, const Corners& from_eye, const glm::dv
 
 Camera frame_from_eye(const Framing& f) {
   const glm::dvec3 position = *f.options.eye;
-  const Corners from_eye = f.corners_from(position);
+  const Points from_eye = f.outline_from(position);
   const glm::dvec2 middle = middle_slope(f, from_eye);
   const bool chosen = f.options.vertical_angle || f.options.horizontal_angle;
   const Opening opening = chosen ? opening_of(f) : fitting_opening(f, from_eye, middle);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "camera_axes.hpp"
 #include "frame.hpp"
@@ -11,16 +11,21 @@
 
 namespace velum {
 
+/// Points in camera axes (x right, y up, z towards the viewer).
+using Points = std::vector<glm::dvec3>;
+
 struct Framing {
   FrameOptions options;
   Projection projection;  ///< its directions turned into the world's axes
   Aabb box;               ///< never empty, never a point
-  double size = 1.0;      ///< the box's longest edge
-  glm::dvec3 focus;       ///< the target, or the box's centre
+  std::vector<glm::dvec3>
+      outline;        ///< world points that must fit: the box's corners, or the scene's extreme points
+  double size = 1.0;  ///< the box's longest edge
+  glm::dvec3 focus;   ///< the target, or the box's centre
   CameraAxes axes;
 
-  /// The box's corners in camera axes (x right, y up, z towards the viewer), relative to a world point.
-  std::array<glm::dvec3, 8> corners_from(const glm::dvec3& origin) const;
+  /// The outline in camera axes, relative to a world point.
+  Points outline_from(const glm::dvec3& origin) const;
   /// The share of half the picture that the box may take: 1 - 2·margin.
   double usable() const { return 1.0 - 2.0 * options.margin; }
   Pose pose_at(const glm::dvec3& position) const { return {position, -axes.back, axes.up}; }
@@ -30,8 +35,8 @@ struct Range {
   double lower, upper;
 };
 
-/// Depth range of corners relative to the camera: distances along the look vector.
-Range depths(const std::array<glm::dvec3, 8>& corners);
+/// Depth range of points relative to the camera: distances along the look vector.
+Range depths(const Points& points);
 
 /// Near and far: the user's, or tight around `depth` with a pad so that faces of the box are not cut, and
 /// nothing behind the camera. A box wholly behind gets a valid range all the same.

@@ -194,6 +194,25 @@ void Scene::set_material(std::uint32_t index, Material material) {
   revision_ = hash.result();
 }
 
+std::vector<glm::dvec3> Scene::points() const {
+  constexpr std::uint64_t most_vertices = 1u << 22;
+  std::uint64_t vertices = 0;
+  for (const Instance& instance : instances_) vertices += meshes_[instance.mesh].positions.size();
+  std::vector<glm::dvec3> result;
+  for (const Instance& instance : instances_) {
+    const auto add_point = [&](const glm::dvec3& p) {
+      result.emplace_back(instance.world_from_object * glm::dvec4(p, 1.0));
+    };
+    const Aabb& box = mesh_bounds_[instance.mesh];
+    if (vertices <= most_vertices) {
+      for (const glm::vec3& p : meshes_[instance.mesh].positions) add_point(glm::dvec3(p));
+    } else if (!box.is_empty()) {
+      for (const glm::dvec3& corner : box.corners()) add_point(corner);
+    }
+  }
+  return result;
+}
+
 Aabb Scene::bounds() const {
   Aabb box;
   for (const Instance& instance : instances_) {

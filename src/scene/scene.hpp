@@ -65,6 +65,9 @@ class Scene {
   /// The world box around all finite vertices of all instances (around their transformed vertices, not their
   /// transformed boxes).
   Aabb bounds() const;
+  /// World points whose convex hull holds the scene: every vertex, or, beyond 2^22 vertices in all, the
+  /// corners of each instance's box. For frame().
+  std::vector<glm::dvec3> points() const;
   /// Changes whenever geometry or materials change: the key of derived structures. A hash over all changes so
   /// far, so it tells Scenes apart too (copies that went separate ways), without any counter they would
   /// share. Equal revisions mean equal geometry and materials; names, lights and `up` do not count. A key for

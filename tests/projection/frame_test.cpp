@@ -135,7 +135,7 @@ TEST_CASE("every projection frames every box: inside the margin, touching it, ne
 }
 
 TEST_CASE("an empty box is framed as a unit cube, a point as a small box") {
-  const Camera empty = frame({}, named::front());
+  const Camera empty = frame(Aabb{}, named::front());
   CHECK(picture_of(empty, {glm::dvec3(-0.5), glm::dvec3(0.5)}, 1).upper.x == doctest::Approx(0.9));
   const Camera point = frame({{3, 4, 5}, {3, 4, 5}}, named::isometric());
   CHECK(glm::length(canonical(point.viewing_transform(1).clip_from_world(), {3, 4, 5}) -
