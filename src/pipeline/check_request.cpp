@@ -54,6 +54,14 @@ Rect requested_rect(const RenderSettings& settings) {
   return crop;
 }
 
+void check_pixel(const Rect& rect, int x, int y) {
+  if (rect.contains(x, y)) return;
+  throw Error(ErrorKind::usage,
+              "the pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture", "at",
+              "give x from " + std::to_string(rect.left) + " to " + std::to_string(rect.right() - 1) +
+                  " and y from " + std::to_string(rect.top) + " to " + std::to_string(rect.bottom() - 1));
+}
+
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings) {
   const double aspect = static_cast<double>(settings.width) / settings.height;
   return camera.viewing_transform(aspect, 0.5 / settings.width);

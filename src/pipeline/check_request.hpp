@@ -15,6 +15,9 @@ inline constexpr int largest_side = 32768;
 /// @throws Error (usage) for sizes out of range or a crop that is empty or leaves the picture
 Rect requested_rect(const RenderSettings& settings);
 
+/// @throws Error (usage) if the pixel (of the whole picture, y down) is not in the rectangle
+void check_pixel(const Rect& rect, int x, int y);
+
 /// The composite for this picture. @throws Error (usage) if the camera insists on another aspect (half a
 /// pixel is let pass)
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings);
