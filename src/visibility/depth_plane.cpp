@@ -94,7 +94,8 @@ DepthPlane depth_plane(const std::array<glm::dvec4, 3>& triangle, double determi
   plane.x_ref = pixel_of(at.x, viewport.width);
   plane.y_ref = pixel_of(at.y, viewport.height);
   const glm::dvec2 centre = viewport.ndc_from_pixel(plane.x_ref + 0.5, plane.y_ref + 0.5);
-  plane.r_ref = static_cast<float>(ndc.x * centre.x + ndc.y * centre.y + ndc.z);
+  // + 0 makes -0 (a triangle in the far plane may have it) +0; no later sum gives -0 then.
+  plane.r_ref = static_cast<float>(ndc.x * centre.x + ndc.y * centre.y + ndc.z) + 0.0f;
   plane.dx = static_cast<float>(dx);
   plane.dy = static_cast<float>(dy);
   return plane;

@@ -94,3 +94,17 @@ TEST_CASE("the depth is monotone in x and in y, bit for bit") {
     }
   }
 }
+
+TEST_CASE("on the far plane the depth is +0, so that depth bits compare as integers") {
+  Random random{5};
+  for (int i = 0; i < 2000; ++i) {
+    std::array<glm::dvec4, 3> v;
+    for (glm::dvec4& vertex : v) vertex = clip(random.uniform(0, 200), random.uniform(0, 100), 0.0, 1.0);
+    const DepthPlane plane = plane_of(v);
+    for (int k = 0; k < 4; ++k) {
+      const float r = plane.at(random.below(200), random.below(100));
+      CHECK(r == 0.0f);
+      CHECK(!std::signbit(r));
+    }
+  }
+}
