@@ -29,3 +29,4 @@
 #include "scene/builtin.hpp"
 #include "scene/load_scene.hpp"
 #include "scene/scene.hpp"
+#include "visibility/depth_resolution.hpp"

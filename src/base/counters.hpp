@@ -23,7 +23,8 @@ struct Counters {
   std::uint64_t screen_triangles = 0;    ///< pieces that reached the raster
   std::uint64_t zero_area = 0;           ///< pieces without area on the pixel grid
   std::uint64_t reversed = 0;            ///< slivers that snapping turned over
-  std::uint64_t pixels_tested = 0;       ///< pixel centres tested against edge functions
+  std::uint64_t pixels_tested = 0;       ///< pixel centres looked at: zbuffer: in boxes; scanline: in spans
+  std::uint64_t spans = 0;               ///< runs of covered centres on a row (scanline)
   std::uint64_t fragments = 0;           ///< pixel centres covered, each compared with the depth buffer
   std::uint64_t fragments_written = 0;   ///< fragments nearer than what the depth buffer held
   std::uint64_t pixels_shaded = 0;       ///< visible fragments shaded: one per pixel and layer

@@ -62,6 +62,14 @@ void check_pixel(const Rect& rect, int x, int y) {
                   " and y from " + std::to_string(rect.top) + " to " + std::to_string(rect.bottom() - 1));
 }
 
+void check_method(const RenderSettings& settings) {
+  if (settings.z_interpolation != ZInterpolation::plane &&
+      settings.visibility != VisibilityMethod::scanline) {
+    throw Error(ErrorKind::usage, "only the scanline method interpolates depth along edges and spans",
+                "z-interpolation", "choose scanline for visibility, or plane for the interpolation");
+  }
+}
+
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings) {
   const double aspect = static_cast<double>(settings.width) / settings.height;
   return camera.viewing_transform(aspect, 0.5 / settings.width);

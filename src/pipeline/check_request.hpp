@@ -18,6 +18,9 @@ Rect requested_rect(const RenderSettings& settings);
 /// @throws Error (usage) if the pixel (of the whole picture, y down) is not in the rectangle
 void check_pixel(const Rect& rect, int x, int y);
 
+/// @throws Error (usage) for a depth interpolation that the visibility method does not have
+void check_method(const RenderSettings& settings);
+
 /// The composite for this picture. @throws Error (usage) if the camera insists on another aspect (half a
 /// pixel is let pass)
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings);

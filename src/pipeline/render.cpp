@@ -5,7 +5,6 @@
 
 #include "../base/error.hpp"
 #include "../base/floating_point.hpp"
-#include "../visibility/zbuffer.hpp"
 #include "check_request.hpp"
 #include "shade_stage.hpp"
 #include "stages.hpp"
@@ -16,6 +15,7 @@ namespace velum {
 struct Renderer::Buffers {
   ClipVertices vertices;
   std::vector<ScreenTriangle> screen_triangles;
+  ScanlineTables scanline;
   VisibilityBuffer visibility;
   LayerBuffers layers;
   Picture picture;
@@ -35,6 +35,7 @@ void report_progress(const RenderSettings& settings, double share) {
 void add(const RasterCounts& raster, Counters& counters) {
   counters.zero_area += raster.zero_area;
   counters.pixels_tested += raster.pixels_tested;
+  counters.spans += raster.spans;
   counters.fragments += raster.fragments;
   counters.fragments_written += raster.fragments_written;
 }
@@ -62,7 +63,8 @@ struct Frame {
         set_up(triangle, first_primitive + i, viewport, counters, buffers.screen_triangles);
       }
     }
-    add(rasterize_zbuffer(buffers.screen_triangles, {buffers.visibility, rect, previous}), counters);
+    const RasterTarget target{buffers.visibility, rect, previous, settings.depth_format};
+    add(rasterize(buffers.screen_triangles, target, settings, buffers.scanline), counters);
   }
 
   void draw_instance(std::uint32_t index) {
@@ -117,6 +119,7 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
                       const RenderSettings& settings, const PictureTarget& target) {
   const FloatingPointScope floating_point;
   const Rect rect = requested_rect(settings);
+  check_method(settings);
   const ViewingTransform viewing = requested_view(camera, settings);
   check_target(target, rect);
   Counters counters;

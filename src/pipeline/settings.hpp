@@ -9,11 +9,13 @@
 #include "../shading/shading.hpp"
 #include "../shading/surface_point.hpp"
 #include "../shading/texture_filter.hpp"
+#include "../visibility/depth_format.hpp"
+#include "../visibility/z_interpolation.hpp"
 
 namespace velum {
 
 /// How the question "which surface is seen?" is answered. All answers are the same to the bit.
-enum class VisibilityMethod { zbuffer };
+enum class VisibilityMethod { zbuffer, scanline };
 
 /// Which triangles are removed by the way they face.
 enum class Cull { none, back, front };
@@ -27,6 +29,9 @@ struct RenderSettings {
   int height = 600;
   Rgba8 background{0, 0, 0, 0};  ///< sRGB; default transparent
   VisibilityMethod visibility = VisibilityMethod::zbuffer;
+  /// For teaching; other than plane only with VisibilityMethod::scanline, and then the bits differ.
+  ZInterpolation z_interpolation = ZInterpolation::plane;
+  DepthFormat depth_format = DepthFormat::reversed;  ///< for teaching: other formats see less
   Shading shading = Shading::phong;
   Shader shader{};  ///< custom shading; replaces `shading` where set
   TextureFilter texture_filter = TextureFilter::trilinear;

@@ -3,12 +3,12 @@
 /// The newcomer's map: the stages of the viewing pipeline in flow order. Each is a free function from plain
 /// data to plain data; no step looks back. render.cpp calls them one after the other:
 ///
-///   transform_vertices   object space → clip space, and each vertex's 6-bit outcode
-///   assemble             one triangle: finite? which way does it face? trivially accepted, rejected, or to
-///   be cut? (clip_triangle)      clipping/: the part inside the canonical view volume set_up divide,
-///   viewport, snapping; the depth plane of the whole triangle; a fan of screen triangles (rasterize_zbuffer)
-///   visibility/: coverage and depth → VisibilityBuffer shade_visible        shading/: each visible pixel
-///   once → Picture
+/// - transform_vertices: object space → clip space, and each vertex's 6-bit outcode
+/// - assemble: one triangle: finite? which way does it face? trivially accepted, rejected, or to be cut?
+/// - clip_triangle (clipping/): the part inside the canonical view volume
+/// - set_up: divide, viewport, snapping; the depth plane of the whole triangle; a fan of screen triangles
+/// - rasterize (visibility/): coverage and depth → VisibilityBuffer, by the method of the settings
+/// - ShadeStage (shading/): each visible pixel once → Picture; translucent ones let the next layer through
 ///
 /// All spaces are named target_from_source.
 
@@ -26,6 +26,8 @@
 #include "../projection/facing.hpp"
 #include "../projection/viewport.hpp"
 #include "../scene/scene.hpp"
+#include "../visibility/raster_target.hpp"
+#include "../visibility/scanline.hpp"
 #include "../visibility/screen_triangle.hpp"
 #include "picture.hpp"
 #include "settings.hpp"
@@ -63,5 +65,9 @@ AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indic
 /// Appends the triangle's pieces (one, or a fan where it was cut) to `out`.
 void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Viewport& viewport,
             Counters& counters, std::vector<ScreenTriangle>& out);
+
+/// Coverage and depth by the method of the settings, whichever that is.
+RasterCounts rasterize(std::span<const ScreenTriangle> triangles, const RasterTarget& target,
+                       const RenderSettings& settings, ScanlineTables& tables);
 
 }  // namespace velum

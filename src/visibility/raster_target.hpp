@@ -4,6 +4,7 @@
 
 #include "../base/rect.hpp"
 #include "../image/visibility_buffer.hpp"
+#include "depth_format.hpp"
 
 namespace velum {
 
@@ -15,12 +16,14 @@ struct RasterTarget {
   /// Depth peeling (Everitt 2001, over (depth, id)): where given, only fragments behind what this buffer
   /// shows count.
   const VisibilityBuffer* previous = nullptr;
+  DepthFormat format = DepthFormat::reversed;
 };
 
 /// What one call of a raster method did.
 struct RasterCounts {
   std::uint64_t zero_area = 0;          ///< triangles without area on the pixel grid
   std::uint64_t pixels_tested = 0;      ///< centres looked at
+  std::uint64_t spans = 0;              ///< runs of covered centres (scanline)
   std::uint64_t fragments = 0;          ///< centres covered
   std::uint64_t fragments_written = 0;  ///< fragments nearer than what stood in the buffer
 };

@@ -29,9 +29,10 @@ bool is_peeled(const ScreenTriangle& triangle, float r, int x, int y, const Visi
 }
 
 /// Keeps the nearer of the fragment and what the buffer holds.
+template <DepthFormat format>
 void compare_and_write(const ScreenTriangle& triangle, int x, int y, const RasterTarget& target,
                        RasterCounts& counts) {
-  const float r = triangle.depth.at(x, y);
+  const float r = stored_depth<format>(triangle.depth.at(x, y));
   const int column = x - target.rect.left;
   const int row = y - target.rect.top;
   ++counts.fragments;
@@ -45,6 +46,7 @@ void compare_and_write(const ScreenTriangle& triangle, int x, int y, const Raste
   }
 }
 
+template <DepthFormat format>
 void rasterize(const ScreenTriangle& triangle, const RasterTarget& target, RasterCounts& counts) {
   std::array<SnappedVertex, 3> v = triangle.vertices;
   const std::int64_t area = doubled_area(v);
@@ -65,7 +67,7 @@ void rasterize(const ScreenTriangle& triangle, const RasterTarget& target, Raste
     std::int64_t e1 = edges[1].value;
     std::int64_t e2 = edges[2].value;
     for (int x = box.left; x < box.right(); ++x) {
-      if ((e0 | e1 | e2) >= 0) compare_and_write(triangle, x, y, target, counts);
+      if ((e0 | e1 | e2) >= 0) compare_and_write<format>(triangle, x, y, target, counts);
       e0 += edges[0].step_x;
       e1 += edges[1].step_x;
       e2 += edges[2].step_x;
@@ -78,7 +80,9 @@ void rasterize(const ScreenTriangle& triangle, const RasterTarget& target, Raste
 
 RasterCounts rasterize_zbuffer(std::span<const ScreenTriangle> triangles, const RasterTarget& target) {
   RasterCounts counts;
-  for (const ScreenTriangle& triangle : triangles) rasterize(triangle, target, counts);
+  with_format(target.format, [&](auto format) {
+    for (const ScreenTriangle& triangle : triangles) rasterize<format.value>(triangle, target, counts);
+  });
   return counts;
 }
 
