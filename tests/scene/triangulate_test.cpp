@@ -108,7 +108,7 @@ glm::dvec3 random_direction(Random& random) {
 
 void check_in_space(const Polygon2& p, Random& random) {
   const glm::dvec3 u = random_direction(random), v = glm::normalize(glm::cross(u, random_direction(random)));
-  const glm::dvec3 origin(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+  const glm::dvec3 origin{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
   check_cover(p, triangulated(placed(p, u, v, origin)));
   Polygon2 reversed(p.rbegin(), p.rend());
   check_cover(reversed, triangulated(placed(reversed, u, v, origin)));
