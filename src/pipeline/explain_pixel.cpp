@@ -4,7 +4,6 @@
 #include <span>
 
 #include "../base/floating_point.hpp"
-#include "../visibility/zbuffer.hpp"
 #include "check_request.hpp"
 
 namespace velum {
@@ -13,16 +12,20 @@ namespace {
 /// Asks the raster itself whether a piece covers the pixel, and how deep it is there.
 class PixelProbe {
  public:
-  PixelProbe(int x, int y) : rect_{x, y, 1, 1}, buffer_(1, 1) {}
+  PixelProbe(int x, int y, const RenderSettings& settings)
+      : settings_(settings), rect_{x, y, 1, 1}, buffer_(1, 1) {}
 
   std::optional<float> reversed_depth_of(const ScreenTriangle& piece) {
     buffer_.clear(1, 1);
-    const RasterCounts counts = rasterize_zbuffer({&piece, 1}, {buffer_, rect_});
+    const RasterCounts counts =
+        rasterize({&piece, 1}, {buffer_, rect_, nullptr, settings_.depth_format}, settings_, tables_);
     if (counts.fragments == 0) return std::nullopt;
     return buffer_.reversed_depth.at(0, 0);
   }
 
  private:
+  const RenderSettings& settings_;
+  ScanlineTables tables_;
   Rect rect_;
   VisibilityBuffer buffer_;
 };
@@ -66,7 +69,7 @@ void collect_instance(const Scene& scene, std::uint32_t index, const ViewingTran
   ClipVertices vertices;
   transform_vertices(mesh.positions.span(), viewing.clip_from_object(instance.world_from_object), vertices);
   const bool mirrored = is_mirroring(instance.world_from_object);
-  PixelProbe probe(pixel.x, pixel.y);
+  PixelProbe probe(pixel.x, pixel.y, settings);
   std::vector<ScreenTriangle> pieces;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const AssembledTriangle triangle =
@@ -106,6 +109,7 @@ PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, const R
   RenderSettings whole = settings;
   whole.crop.reset();
   check_pixel(requested_rect(whole), x, y);
+  check_method(settings);
   const ViewingTransform viewing = requested_view(camera, settings);
   PixelExplanation pixel;
   pixel.x = x;

@@ -103,6 +103,29 @@ TEST_CASE("the winner is what the picture shows with culling, too") {
   }
 }
 
+TEST_CASE("the winner is what the picture shows with every depth format and interpolation") {
+  const Scene solids = meeting_solids();
+  RenderSettings settings = size(16, 11);
+  const Camera camera = camera_of(solids, "perspective", settings);
+  settings.visibility = VisibilityMethod::scanline;
+  for (const DepthFormat format : {DepthFormat::float_z, DepthFormat::z16, DepthFormat::z8}) {
+    for (const ZInterpolation mode :
+         {ZInterpolation::plane, ZInterpolation::edges, ZInterpolation::incremental}) {
+      settings.depth_format = format;
+      settings.z_interpolation = mode;
+      const Picture picture = render(solids, camera, settings);
+      for (int y = 0; y < settings.height; ++y) {
+        for (int x = 0; x < settings.width; ++x) {
+          const PixelExplanation pixel = explain_pixel(solids, camera, settings, x, y);
+          if (pixel.fragments.empty()) continue;
+          CHECK(pixel.fragments[0].primitive == picture.triangle_id.at(x, y));
+          CHECK(pixel.fragments[0].depth() == picture.depth.at(x, y));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("fragments come in the order in which peeling shows them, each with three edges it is inside of") {
   const Scene scene = random_triangles(32, 60);
   const RenderSettings settings = size(12, 12);
