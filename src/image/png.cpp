@@ -8,7 +8,7 @@
 
 #include "../base/error.hpp"
 #include "file_bytes.hpp"
-#include "stb_png.hpp"
+#include "stb_pictures.hpp"
 
 namespace velum {
 namespace {
@@ -143,7 +143,7 @@ Image<Rgba8> decode_png(std::span<const std::byte> bytes, const std::string& nam
   }
   check_header(bytes, check_chunks(bytes, name), name);
 
-  const stb::Decoded decoded = stb::decode_png(bytes);
+  const stb::Decoded decoded = stb::decode(bytes);
   if (decoded.rgba == nullptr) fail_to_read(name, decoded.problem);
   Image<Rgba8> image(decoded.width, decoded.height);
   const std::size_t row_bytes = static_cast<std::size_t>(decoded.width) * 4;

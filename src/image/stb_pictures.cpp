@@ -1,4 +1,4 @@
-#include "stb_png.hpp"
+#include "stb_pictures.hpp"
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -8,6 +8,10 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_NO_SIMD  // the same code, so the same bytes, on every machine
 #define STBI_NO_LINEAR
 #define STBI_NO_HDR
 #define STBI_NO_STDIO
@@ -34,7 +38,16 @@ std::vector<std::byte> encode_png(const unsigned char* pixels, int width, int he
   return file;
 }
 
-Decoded decode_png(std::span<const std::byte> file) {
+Size announced_size(std::span<const std::byte> file) {
+  Size size;
+  int channels = 0;
+  if (stbi_info_from_memory(reinterpret_cast<const unsigned char*>(file.data()),
+                            static_cast<int>(file.size()), &size.width, &size.height, &channels) == 0)
+    return {};
+  return size;
+}
+
+Decoded decode(std::span<const std::byte> file) {
   Decoded decoded{{nullptr, stbi_image_free}};
   int channels = 0;
   decoded.rgba.reset(stbi_load_from_memory(reinterpret_cast<const unsigned char*>(file.data()),
