@@ -3,7 +3,9 @@
 #include "../base/floating_point.hpp"
 #include "../image/files.hpp"
 #include "builtin.hpp"
+#include "checkerboard.hpp"
 #include "file_format.hpp"
+#include "load_textures.hpp"
 #include "obj_reader.hpp"
 #include "ply_reader.hpp"
 #include "stl_reader.hpp"
@@ -13,8 +15,10 @@ namespace velum {
 Scene load_scene(const std::string& path, const LoadOptions& options) {
   constexpr std::string_view builtin = "builtin:";
   if (path.substr(0, builtin.size()) == builtin) {
+    const std::string_view shape = std::string_view(path).substr(builtin.size());
+    if (shape == "checkerboard") return checkerboard_scene();
     Scene scene;
-    scene.add(builtin_shape(std::string_view(path).substr(builtin.size())));
+    scene.add(builtin_shape(shape));
     return scene;
   }
   const std::vector<std::byte> bytes = read_file(path);
@@ -37,7 +41,9 @@ Scene load_scene_from_memory(std::span<const std::byte> bytes, const std::string
     case FileFormat::obj:
       break;
   }
-  return read_obj(text, name, directory, options);
+  Scene scene = read_obj(text, name, directory, options);
+  load_textures(scene);
+  return scene;
 }
 
 }  // namespace velum

@@ -14,6 +14,7 @@ struct MtlStatements {
   std::optional<glm::vec3> ambient, filter;
   std::optional<float> alpha, transparency;
   std::optional<std::int64_t> illumination;
+  bool has_diffuse = false;
 };
 
 float clamped_share(float value) {
@@ -36,6 +37,7 @@ glm::vec3 ambient_share(const glm::vec3& ambient, const glm::vec3& base) {
 
 Material material_of(const MtlStatements& read) {
   Material material = read.material;
+  if (!read.has_diffuse && !material.base_colour_texture.empty()) material.base_colour = glm::vec3(1.0f);
   if (read.ambient) material.ambient = ambient_share(*read.ambient, material.base_colour);
   if (read.alpha)
     material.alpha = clamped_share(*read.alpha);
@@ -64,7 +66,8 @@ class MtlParser {
   bool colour_statement(std::string_view keyword);
   std::optional<glm::vec3> colour();
   float number() { return scanner_.number(scanner_.token(), "a value"); }
-  std::string_view texture_name();
+  std::string_view texture_name(TextureMapping& mapping);
+  void texture_option(std::string_view option, TextureMapping& mapping);
   void leave_out(std::string_view keyword);
 
   TextScanner scanner_;
@@ -108,9 +111,10 @@ bool MtlParser::colour_statement(std::string_view keyword) {
     leave_out(keyword);
   else if (is_ambient)
     current_->ambient = value;
-  else if (is_diffuse)
+  else if (is_diffuse) {
     current_->material.base_colour = *value;
-  else if (is_specular)
+    current_->has_diffuse = true;
+  } else if (is_specular)
     current_->material.specular = *value;
   else
     current_->filter = value;
@@ -132,8 +136,11 @@ void MtlParser::statement(std::string_view keyword) {
   } else if (equal_ignoring_case(keyword, "illum")) {
     current_->illumination = scanner_.integer(scanner_.token(), "the illumination model");
   } else if (equal_ignoring_case(keyword, "map_Kd")) {
-    const std::string_view file = texture_name();
-    if (!file.empty()) material.base_colour_texture = beside(directory_, file).generic_string();
+    TextureMapping mapping;
+    const std::string_view file = texture_name(mapping);
+    if (file.empty()) return;
+    material.base_colour_texture = beside(directory_, file).generic_string();
+    material.texture_mapping = mapping;
   } else {
     leave_out(keyword);
   }
@@ -156,20 +163,31 @@ std::optional<glm::vec3> MtlParser::colour() {
   return value;
 }
 
-// map_Kd [-option arguments …] file name, which may hold blanks. -o, -s and -t take one to three numbers.
-std::string_view MtlParser::texture_name() {
+// map_Kd [-option arguments …] file name, which may hold blanks.
+std::string_view MtlParser::texture_name(TextureMapping& mapping) {
   while (true) {
     TextScanner ahead = scanner_;
     const std::string_view option = ahead.token();
     if (option.size() < 2 || option[0] != '-') return scanner_.rest_of_line();
     scanner_ = ahead;
-    const bool takes_vector = option == "-o" || option == "-s" || option == "-t";
-    const int arguments = takes_vector ? 3 : option == "-mm" ? 2 : 1;
-    for (int i = 0; i < arguments; ++i) {
-      const std::string_view argument = ahead.token();
-      if (takes_vector && i > 0 && !parse_float(argument)) break;
-      scanner_ = ahead;
-    }
+    texture_option(option, mapping);
+  }
+}
+
+// -o, -s and -t take one to three numbers, across, up and in depth; -mm takes two arguments, all others one.
+void MtlParser::texture_option(std::string_view option, TextureMapping& mapping) {
+  const bool takes_vector = option == "-o" || option == "-s" || option == "-t";
+  const int arguments = takes_vector ? 3 : option == "-mm" ? 2 : 1;
+  for (int i = 0; i < arguments; ++i) {
+    TextScanner ahead = scanner_;
+    const std::string_view argument = ahead.token();
+    const std::optional<float> value = parse_float(argument);
+    if (takes_vector && i > 0 && !value) return;
+    scanner_ = ahead;
+    if (option == "-clamp" && argument == "on") mapping.wrap.fill(TextureWrap::clamp);
+    if (!value || i > 1) continue;
+    if (option == "-o") mapping.offset[i] = *value;
+    if (option == "-s") mapping.scale[i] = *value;
   }
 }
 

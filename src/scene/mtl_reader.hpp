@@ -25,7 +25,9 @@ using MaterialLibrary = std::unordered_map<std::string, Material>;
 /// - illum 3, 4, 5, 6, 7 → mirror_share, the largest channel of Ks. illum 4, 6, 7, 9 → transmission_share,
 /// the
 ///   largest channel of Tf, or 1 - alpha without Tf.
-/// - map_Kd → base_colour_texture, its options skipped, the path relative to `directory`.
+/// - map_Kd → base_colour_texture, the path relative to `directory`; without Kd the base colour is then
+/// white.
+///   -clamp on → wrap, -o → offset, -s → scale (so that -s 2 2 shows it twice each way); others are skipped.
 ///
 /// @param notes  is told of statements that are left out
 /// @throws Error (read) with file:line

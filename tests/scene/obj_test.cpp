@@ -253,8 +253,9 @@ TEST_CASE("OBJ: libraries beside the file, with blanks in names, several in a li
   CHECK(scene.materials()[3].base_colour == glm::vec3(0, 1, 0));
   CHECK(scene.materials()[4].base_colour == velum::Material{}.base_colour);
   CHECK(scene.materials()[4].name == "none");
-  REQUIRE(scene.notes.size() == 1);
+  REQUIRE(scene.notes.size() == 2);
   CHECK(contains(scene.notes[0], "no library has the material \"none\""));
+  CHECK(contains(scene.notes[1], "b.png"));  // is not there
 }
 
 TEST_CASE("OBJ: no bytes crash, hang or take too much memory") {
