@@ -4,14 +4,13 @@
 if(NOT VELUM_FETCH_DEPENDENCIES)
   find_package(glm REQUIRED)
   find_package(FastFloat REQUIRED)
-  find_package(Eigen3 REQUIRED)
   find_path(STB_INCLUDE_DIR NAMES stb_image.h PATH_SUFFIXES stb REQUIRED)
   return()
 endif()
 
 include(FetchContent)
 
-# The sources only: Eigen's and stb's own build files would add targets and tests that nobody here needs.
+# The sources only: the libraries' own build files would add targets and tests that nobody here needs.
 function(velum_fetch_headers name url variable)
   FetchContent_Declare(${name} URL ${url} SOURCE_SUBDIR no-build-files DOWNLOAD_EXTRACT_TIMESTAMP ON)
   FetchContent_MakeAvailable(${name})
@@ -33,14 +32,6 @@ if(NOT TARGET FastFloat::fast_float)
   add_library(velum_fast_float INTERFACE)
   target_include_directories(velum_fast_float SYSTEM INTERFACE ${velum_fast_float_dir}/include)
   add_library(FastFloat::fast_float ALIAS velum_fast_float)
-endif()
-
-find_package(Eigen3 QUIET)
-if(NOT TARGET Eigen3::Eigen)
-  velum_fetch_headers(velum_eigen https://gitlab.com/libeigen/eigen/-/archive/3.4.0/eigen-3.4.0.tar.gz velum_eigen_dir)
-  add_library(velum_eigen INTERFACE)
-  target_include_directories(velum_eigen SYSTEM INTERFACE ${velum_eigen_dir})
-  add_library(Eigen3::Eigen ALIAS velum_eigen)
 endif()
 
 find_path(STB_INCLUDE_DIR NAMES stb_image.h PATH_SUFFIXES stb)
