@@ -1,0 +1,140 @@
+#include "outputs.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <velum/image/visibility_buffer.hpp>
+
+namespace velum_app {
+namespace {
+
+using namespace velum;
+namespace fs = std::filesystem;
+
+/// The extensions that an output is written in; the first is also the form of "-" where that is allowed.
+std::vector<std::string_view> extensions_of(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::colour:
+      return {".png", ".ppm"};
+    case OutputKind::depth:
+    case OutputKind::metric_depth:
+    case OutputKind::normals:
+      return {".pfm", ".npy"};
+    case OutputKind::object_ids:
+    case OutputKind::triangle_ids:
+      return {".npy", ".png"};
+    case OutputKind::report:
+      return {".json"};
+  }
+  return {};
+}
+
+std::string extension_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
+
+bool has_extension(const Output& output, std::string_view extension) {
+  return extension_of(output.path) == extension;
+}
+
+std::string joined(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : " or ") + std::string(name);
+  return text;
+}
+
+void check_extension(const Output& output) {
+  const auto known = extensions_of(output.kind);
+  if (output.path == "-" || std::any_of(known.begin(), known.end(), [&output](std::string_view extension) {
+        return has_extension(output, extension);
+      })) {
+    return;
+  }
+  throw Error(ErrorKind::usage, "cannot tell the format of \"" + output.path.string() + "\"", output.option,
+              "give a name that ends in " + joined(known));
+}
+
+void check_folder(const Output& output) {
+  const fs::path folder = output.path.parent_path();
+  std::error_code ignored;
+  if (folder.empty() || fs::is_directory(folder, ignored)) return;
+  throw Error(ErrorKind::write, "there is no folder \"" + folder.string() + "\"", output.path.string(),
+              "make it, or give another name");
+}
+
+/// Ids as a picture for the eye: a distinct colour each, the background transparent.
+Image<Rgba8> coloured(ImageView<const std::uint32_t> ids) {
+  Image<Rgba8> picture(ids.width, ids.height, Rgba8{0, 0, 0, 0});
+  for (int y = 0; y < ids.height; ++y) {
+    for (int x = 0; x < ids.width; ++x) {
+      const std::uint32_t id = ids.at(x, y);
+      if (id != no_primitive) picture.at(x, y) = srgb_from_linear(id_colour(id));
+    }
+  }
+  return picture;
+}
+
+template <typename T>
+void write_numbers(const Output& output, const Image<T>& image) {
+  if (has_extension(output, ".npy")) {
+    write_npy(output.path, image.view());
+  } else {
+    write_pfm(output.path, image.view());
+  }
+}
+
+void write_ids(const Output& output, const Image<std::uint32_t>& ids) {
+  if (has_extension(output, ".png")) {
+    write_png(output.path, coloured(ids.view()).view());
+  } else {
+    write_npy(output.path, ids.view());
+  }
+}
+
+void write_colour(const Output& output, const Image<Rgba8>& colour) {
+  if (has_extension(output, ".ppm")) {
+    write_ppm(output.path, colour.view());
+  } else {
+    write_png(output.path, colour.view());
+  }
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<Output>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    check_extension(outputs[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (outputs[i].path.lexically_normal() == outputs[j].path.lexically_normal()) {
+        throw Error(ErrorKind::usage,
+                    "\"" + outputs[i].path.string() + "\" is also the output of " + outputs[j].option,
+                    outputs[i].option, "give each output a place of its own");
+      }
+    }
+  }
+  for (const Output& output : outputs) check_folder(output);
+}
+
+void write_output(const Output& output, const Picture& picture) {
+  switch (output.kind) {
+    case OutputKind::colour:
+      return write_colour(output, picture.colour);
+    case OutputKind::depth:
+      return write_numbers(output, picture.depth);
+    case OutputKind::metric_depth:
+      return write_numbers(output, picture.metric_depth);
+    case OutputKind::normals:
+      return write_numbers(output, picture.normal);
+    case OutputKind::object_ids:
+      return write_ids(output, picture.object_id);
+    case OutputKind::triangle_ids:
+      return write_ids(output, picture.triangle_id);
+    case OutputKind::report:
+      return;
+  }
+}
+
+}  // namespace velum_app

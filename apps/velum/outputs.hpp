@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+#include <velum/velum.hpp>
+
+namespace velum_app {
+
+enum class OutputKind { colour, depth, metric_depth, normals, object_ids, triangle_ids, report };
+
+/// A file that `velum render` was asked to write.
+struct Output {
+  OutputKind kind;
+  std::string option;  ///< as in messages, e.g. "--depth"
+  std::filesystem::path path;
+};
+
+/// Demands, before any work begins, that every output has an extension its kind is written in, that no two
+/// go to the same place, and that their folders exist.
+/// @throws velum::Error (usage) naming option and known extensions; (write) for a missing folder
+void check_outputs(const std::vector<Output>& outputs);
+
+/// Writes one output, whole or not at all. @pre checked, and not the report. @throws velum::Error (write)
+void write_output(const Output& output, const velum::Picture& picture);
+
+}  // namespace velum_app

@@ -1,0 +1,174 @@
+// velum render IN: a mesh file becomes a picture.
+#include <iostream>
+#include <map>
+#include <memory>
+#include <velum/velum.hpp>
+
+#include "blank_reason.hpp"
+#include "camera_options.hpp"
+#include "input.hpp"
+#include "outputs.hpp"
+#include "report.hpp"
+#include "terminal_progress.hpp"
+#include "text.hpp"
+#include "verb.hpp"
+
+namespace velum_app {
+namespace {
+
+using namespace velum;
+
+const std::map<std::string, Shading> shading_names{{"flat", Shading::flat},
+                                                   {"gouraud", Shading::gouraud},
+                                                   {"phong", Shading::phong},
+                                                   {"normal", Shading::normal},
+                                                   {"depth", Shading::depth},
+                                                   {"object-id", Shading::object_id},
+                                                   {"triangle-id", Shading::triangle_id},
+                                                   {"barycentric", Shading::barycentric}};
+const std::map<std::string, Cull> cull_names{
+    {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
+const std::map<std::string, VisibilityMethod> visibility_names{{"zbuffer", VisibilityMethod::zbuffer},
+                                                               {"scanline", VisibilityMethod::scanline}};
+
+struct RenderOptions {
+  std::string input;
+  std::string visibility = "zbuffer", shading = "phong", cull = "none", background = "transparent";
+  CameraOptions camera;
+  bool wireframe = false;
+  bool quiet = false;
+  std::optional<std::string> crop;
+  std::optional<std::string> picture, depth, metric_depth, normals, object_ids, triangle_ids, report;
+};
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  velum render bunny.obj                             bunny.png, framed, lit from the viewer\n"
+    "  velum render builtin:cube --projection cabinet     cube.png, the cabinet projection\n"
+    "  velum render scan.stl --world-up z --size 1920x1080 --background '#ffffff' -o scan.png\n"
+    "  velum render hall.ply --eye 0,2,0 --target 5,2,0 --fov 60 --metric-depth hall.npy\n"
+    "  cat part.stl | velum render - -o - > part.png      standard input to standard output\n"
+    "Exit codes: 0 ok, 1 nothing to be seen (the picture is still written), 2 usage, 3 cannot read,\n"
+    "4 cannot write.";
+
+void add_picture_options(CLI::App& parser, RenderOptions& o) {
+  parser.add_option("--background", o.background, "Behind the scene: transparent (default) or #rrggbb")
+      ->type_name("COLOUR");
+  parser.add_option("--visibility", o.visibility, "How visibility is found (default: zbuffer)")
+      ->check(CLI::IsMember(&visibility_names));
+  parser.add_option("--shading", o.shading, "How surfaces are coloured (default: phong)")
+      ->check(CLI::IsMember(&shading_names));
+  parser.add_option("--cull", o.cull, "Which triangles are left out by the way they face (default: none)")
+      ->check(CLI::IsMember(&cull_names));
+  parser.add_flag("--wireframe", o.wireframe, "Draw the edges of the visible triangles over the picture");
+  parser.add_option("--crop", o.crop, "Render only this part of the picture, in pixels from the top left")
+      ->type_name("X,Y,W,H");
+}
+
+void add_output_options(CLI::App& parser, RenderOptions& o) {
+  const auto add = [&parser](const char* name, auto& value, const char* help) {
+    parser.add_option(name, value, help)->type_name("FILE")->group("Output");
+  };
+  add("-o,--output", o.picture, "The picture, .png or .ppm; - is standard output (default: NAME.png)");
+  add("--depth", o.depth, "Canonical depth 0 (near) ... 1 (far), .pfm or .npy");
+  add("--metric-depth", o.metric_depth, "Distance along the look vector in world units, .pfm or .npy");
+  add("--normals", o.normals, "World-space normals, .pfm or .npy");
+  add("--object-ids", o.object_ids, "Which instance is seen, .npy; .png shows distinct colours");
+  add("--triangle-ids", o.triangle_ids, "Which triangle is seen, .npy; .png shows distinct colours");
+  add("--report", o.report, "Coverage, counters, matrices and SHA-256s, .json");
+  parser.add_flag("--quiet", o.quiet, "Say nothing but errors")->group("Output");
+}
+
+std::vector<Output> outputs_from(const RenderOptions& o) {
+  std::vector<Output> outputs;
+  outputs.push_back({OutputKind::colour, "-o", o.picture ? *o.picture : stem_of(o.input) + ".png"});
+  const auto add = [&outputs](const std::optional<std::string>& path, OutputKind kind, const char* option) {
+    if (path) outputs.push_back({kind, option, *path});
+  };
+  add(o.depth, OutputKind::depth, "--depth");
+  add(o.metric_depth, OutputKind::metric_depth, "--metric-depth");
+  add(o.normals, OutputKind::normals, "--normals");
+  add(o.object_ids, OutputKind::object_ids, "--object-ids");
+  add(o.triangle_ids, OutputKind::triangle_ids, "--triangle-ids");
+  add(o.report, OutputKind::report, "--report");
+  check_outputs(outputs);
+  return outputs;
+}
+
+RenderSettings settings_from(const RenderOptions& o, const Size& size) {
+  RenderSettings settings;
+  settings.width = size.width;
+  settings.height = size.height;
+  settings.background = colour_from(o.background, "--background");
+  settings.visibility = visibility_names.at(o.visibility);
+  settings.shading = shading_names.at(o.shading);
+  settings.cull = cull_names.at(o.cull);
+  settings.wireframe = o.wireframe;
+  if (o.crop) settings.crop = rect_from(*o.crop, "--crop");
+  settings.progress = terminal_progress(o.quiet);
+  return settings;
+}
+
+void write_all(const std::vector<Output>& outputs, const Picture& picture, const Camera& camera,
+               double aspect) {
+  for (const Output& output : outputs) {
+    if (output.kind != OutputKind::report) {
+      write_output(output, picture);
+      continue;
+    }
+    const std::string text = json_text(report_of(picture, camera, aspect));
+    write_file(output.path, std::as_bytes(std::span(text)));
+  }
+}
+
+/// "bunny.png: 800x600, perspective, 69,451 triangles, 23 % covered"; on standard error where the picture
+/// itself goes to standard output.
+void print_summary(const std::vector<Output>& outputs, const Picture& picture, const Projection& projection) {
+  bool stdout_is_taken = false;
+  for (const Output& output : outputs) stdout_is_taken = stdout_is_taken || output.path == "-";
+  const std::filesystem::path& path = outputs.front().path;
+  (stdout_is_taken ? std::cerr : std::cout)
+      << (path == "-" ? "standard output" : path.string()) << ": " << picture.colour.width() << 'x'
+      << picture.colour.height() << ", " << projection.name << ", "
+      << counted_text(picture.counters.triangles, "triangle") << ", " << percent_text(picture.coverage())
+      << " covered\n";
+}
+
+int run(const RenderOptions& o) {
+  // Everything that the command line alone decides is checked before work begins.
+  const View view = view_from(o.camera);
+  const std::vector<Output> outputs = outputs_from(o);
+  const RenderSettings settings = settings_from(o, view.size);
+
+  Scene scene = read_scene(o.input);
+  scene.up = view.up_axis();
+  const Aabb bounds = scene.bounds();
+  const Camera camera = frame(scene.points(), view.projection, view.framing);
+  const Picture picture = render(scene, camera, settings);
+  clear_progress(settings.progress);
+
+  write_all(outputs, picture, camera, view.framing.aspect);
+  if (!o.quiet) {
+    for (const std::string& note : scene.notes) std::cerr << "velum: note: " << note << '\n';
+    print_summary(outputs, picture, view.projection);
+  }
+  if (picture.coverage() > 0.0) return exit_ok;
+  std::cerr << "velum: the picture is blank: " << blank_reason(picture.counters, bounds, camera, settings)
+            << '\n';
+  return exit_blank;
+}
+
+}  // namespace
+
+Verb add_render(CLI::App& program) {
+  CLI::App* parser = program.add_subcommand("render", "Make a picture of a mesh file");
+  const auto options = std::make_shared<RenderOptions>();
+  parser->add_option("IN", options->input, input_help)->required()->type_name("");
+  add_output_options(*parser, *options);
+  options->camera.add_to(*parser);
+  add_picture_options(*parser, *options);
+  parser->footer(examples);
+  return {parser, [options] { return run(*options); }};
+}
+
+}  // namespace velum_app

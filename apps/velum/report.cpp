@@ -1,0 +1,64 @@
+#include "report.hpp"
+
+#include "sha256.hpp"
+
+namespace velum_app {
+namespace {
+
+using namespace velum;
+
+Json by_plane(const std::uint64_t (&counts)[clip_plane_count]) {
+  Json json;
+  for (int i = 0; i < clip_plane_count; ++i) json[clip_planes[static_cast<std::size_t>(i)].name] = counts[i];
+  return json;
+}
+
+Json counters_json(const Counters& c) {
+  return {{"instances", c.instances},
+          {"vertices", c.vertices},
+          {"triangles", c.triangles},
+          {"not_finite", c.not_finite},
+          {"back_facing", c.back_facing},
+          {"edge_on", c.edge_on},
+          {"culled", c.culled},
+          {"culled_share", c.culled_share()},
+          {"trivially_accepted", c.trivially_accepted},
+          {"trivially_rejected", c.trivially_rejected},
+          {"clipped", c.clipped},
+          {"clipped_away", c.clipped_away},
+          {"outside", by_plane(c.outside)},
+          {"cut_by", by_plane(c.cut_by)},
+          {"screen_triangles", c.screen_triangles},
+          {"zero_area", c.zero_area},
+          {"reversed", c.reversed},
+          {"pixels_tested", c.pixels_tested},
+          {"fragments", c.fragments},
+          {"fragments_written", c.fragments_written},
+          {"pixels_shaded", c.pixels_shaded}};
+}
+
+Json hashes_json(const Picture& picture) {
+  return {{"colour", sha256_of(picture.colour.view())},
+          {"depth", sha256_of(picture.depth.view())},
+          {"object_id", sha256_of(picture.object_id.view())},
+          {"triangle_id", sha256_of(picture.triangle_id.view())}};
+}
+
+Json box_json(const Rect& box) {
+  if (box.is_empty()) return Json::array({0, 0, 0, 0});
+  return Json::array({box.left, box.top, box.right(), box.bottom()});
+}
+
+}  // namespace
+
+Json report_of(const Picture& picture, const Camera& camera, double aspect) {
+  return {{"size", Json::array({picture.colour.width(), picture.colour.height()})},
+          {"coverage", picture.coverage()},
+          {"bbox", box_json(picture.bounding_box())},
+          {"camera", json_of(camera)},
+          {"counters", counters_json(picture.counters)},
+          {"stages", json_of(camera.viewing_transform(aspect).stages())},
+          {"sha256", hashes_json(picture)}};
+}
+
+}  // namespace velum_app
