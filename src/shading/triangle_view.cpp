@@ -160,10 +160,11 @@ Barycentrics barycentrics_at(const TriangleView& triangle, double px, double py)
 
 glm::dmat2 texture_derivatives_at(const TriangleView& triangle, double px, double py) {
   const glm::dmat2 none(0.0);
-  if (triangle.determinant == 0.0) return none;
+  const auto& coordinates = triangle.texture_coordinates;
+  const bool is_constant = coordinates[0] == coordinates[1] && coordinates[1] == coordinates[2];
+  if (triangle.determinant == 0.0 || is_constant) return none;
   const glm::dvec3 edges = edge_values(triangle, px, py);
   const double sum = edges.x + edges.y + edges.z;
-  const auto& coordinates = triangle.texture_coordinates;
   const glm::dvec2 at = (glm::dvec2(coordinates[0]) * edges.x + glm::dvec2(coordinates[1]) * edges.y +
                          glm::dvec2(coordinates[2]) * edges.z) /
                         sum;
