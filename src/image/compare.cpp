@@ -1,54 +1,22 @@
 #include "compare.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <string>
 
 #include "../base/elementary.hpp"
-#include "../base/error.hpp"
+#include "pixel_difference.hpp"
 
 namespace velum {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double difference(double a, double b) {
-  const bool a_is_nan = a != a;
-  const bool b_is_nan = b != b;
-  if (a == b || (a_is_nan && b_is_nan)) return 0.0;
-  const double signed_difference = a - b;
-  if (signed_difference != signed_difference) return infinity;
-  return signed_difference < 0.0 ? -signed_difference : signed_difference;
-}
-
-std::array<double, 4> channel_differences(const Rgba8& a, const Rgba8& b) {
-  return {difference(a.r, b.r), difference(a.g, b.g), difference(a.b, b.b), difference(a.a, b.a)};
-}
-std::array<double, 1> channel_differences(float a, float b) {
-  return {difference(a, b)};
-}
-std::array<double, 3> channel_differences(const glm::vec3& a, const glm::vec3& b) {
-  return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
-}
-
 double decibels(double peak, double rmse) {
   if (rmse == 0.0) return infinity;
   constexpr double ln_10 = 2.30258509299404568402;
   return 20.0 * elementary::log(peak / rmse) / ln_10;
-}
-
-template <typename Pixel>
-void demand_same_size(ImageView<const Pixel> a, ImageView<const Pixel> b) {
-  if (a.width == b.width && a.height == b.height) return;
-  const auto size = [](int width, int height) {
-    return std::to_string(width) + "x" + std::to_string(height);
-  };
-  throw Error(ErrorKind::usage,
-              "the pictures differ in size: " + size(a.width, a.height) + " and " + size(b.width, b.height),
-              "", "compare pictures of one size");
 }
 
 template <typename Pixel>
