@@ -1,44 +1,23 @@
-// Prints one line per scene and buffer, "name sha256": what the hash matrix compares between compilers, build
-// types, instruction sets and callers.
+// Prints one line per picture of the golden table, its name and the SHA-256 of each buffer: what the hash
+// matrix compares between compilers, build types, instruction sets and callers.
 //
 //   --ftz     flush denormals to zero before calling velum, as a careless caller may have done
 //   --locale  switch to a locale that writes numbers with a comma
 
-#include <nettle/sha2.h>
-
 #include <clocale>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <locale>
-#include <string>
-#include <velum/velum.hpp>
+
+#include "fingerprint.hpp"
+#include "scenes.hpp"
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
 
 namespace {
-
-std::string sha256(const void* data, std::size_t size) {
-  sha256_ctx context;
-  sha256_init(&context);
-  sha256_update(&context, size, static_cast<const std::uint8_t*>(data));
-  std::uint8_t digest[SHA256_DIGEST_SIZE];
-  sha256_digest(&context, sizeof digest, digest);
-  std::string text;
-  for (const std::uint8_t byte : digest) {
-    constexpr char digits[] = "0123456789abcdef";
-    text += digits[byte >> 4];
-    text += digits[byte & 15];
-  }
-  return text;
-}
-
-void print_hash(const std::string& name, const void* data, std::size_t size) {
-  std::printf("%s %s\n", name.c_str(), sha256(data, size).c_str());
-}
 
 void flush_denormals_to_zero() {
 #ifdef __SSE2__
@@ -70,5 +49,9 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  print_hash("nothing", "", 0);
+  const std::vector<golden::GoldenScene> scenes = golden::golden_scenes();
+  for (const golden::GoldenPicture& picture : golden::golden_pictures(scenes)) {
+    const velum::Picture rendered = picture.render(golden::golden_modes().front());
+    std::printf("%s %s\n", picture.name().c_str(), golden::fingerprint(rendered).c_str());
+  }
 }

@@ -1,0 +1,80 @@
+// Every picture of the table, in every mode, has the committed hashes; the chosen ones equal their PNGs.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "fingerprint.hpp"
+#include "golden_file.hpp"
+#include "hash_file.hpp"
+#include "scenes.hpp"
+
+using namespace golden;
+
+namespace {
+
+const Places places{VELUM_GOLDEN_PICTURES, VELUM_GOLDEN_FAILURES};
+
+/// What a person needs to see of a picture with other hashes: its committed PNG, or else the first mode's.
+void save_failure(const GoldenPicture& picture, const Mode& mode, const velum::Picture& actual) {
+  const Mode& first = golden_modes().front();
+  const std::string name = picture.name() + "/" + mode.name;
+  const auto failure = mode.name == first.name ? failure_of(picture.name(), actual.colour, places)
+                                               : failure_of(name, actual.colour, picture.render(first).colour,
+                                                            first.name, places);
+  MESSAGE(failure.value_or("the colours are as they should be"));
+}
+
+void check(const GoldenPicture& picture, const Mode& mode, const std::string& expected) {
+  const velum::Picture actual = picture.render(mode);
+  const std::string hashes = fingerprint(actual);
+  CHECK_MESSAGE(actual.coverage() > 0.0, picture.name());
+  if (hashes != expected) {
+    save_failure(picture, mode, actual);
+    const std::string buffers = differing_buffers(expected, hashes);
+    FAIL_CHECK(picture.name() << " by " << mode.name << ": not the committed hashes of " << buffers);
+  }
+  if (!picture.has_file() || mode.name != golden_modes().front().name) return;
+  const auto failure = failure_of(picture.name(), actual.colour, places);
+  CHECK_MESSAGE(!failure, *failure);
+}
+
+}  // namespace
+
+TEST_CASE("every picture has its committed bytes, in every mode") {
+  const auto expected = read_hashes(VELUM_GOLDEN_HASHES);
+  const std::vector<GoldenScene> scenes = golden_scenes();
+  for (const GoldenPicture& picture : golden_pictures(scenes)) {
+    const auto found = expected.find(picture.name());
+    if (found == expected.end()) {
+      FAIL_CHECK(picture.name() << " has no line in hashes.txt; look at the picture, then ./run goldens");
+    }
+    const std::string hashes = found == expected.end() ? "" : found->second;
+    for (const Mode& mode : golden_modes()) check(picture, mode, hashes);
+  }
+}
+
+TEST_CASE("nothing is committed that no scene gives") {
+  std::set<std::string> names;
+  std::set<std::string> files;
+  const std::vector<GoldenScene> scenes = golden_scenes();
+  for (const GoldenPicture& picture : golden_pictures(scenes)) {
+    CHECK(names.insert(picture.name()).second);
+    if (picture.has_file()) files.insert(file_name(picture.name()).string());
+  }
+  for (const auto& [name, hashes] : read_hashes(VELUM_GOLDEN_HASHES))
+    CHECK_MESSAGE(names.count(name) == 1, name);
+  for (const auto& file : std::filesystem::directory_iterator(places.pictures)) {
+    const std::string name = file.path().filename().string();
+    CHECK_MESSAGE(files.count(name) == 1, name);
+  }
+}
+
+TEST_CASE("the table holds what it promises") {
+  const std::vector<GoldenScene> scenes = golden_scenes();
+  std::size_t everywhere = 0;
+  for (const GoldenScene& scene : scenes) {
+    everywhere += scene.projections.size() == velum::projection_catalogue().size();
+  }
+  CHECK(everywhere >= 12);
+}
