@@ -3,6 +3,9 @@
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
+#ifndef __clang__
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // of a stream kind that is not compiled in
+#endif
 #endif
 
 #define STB_IMAGE_IMPLEMENTATION
