@@ -31,9 +31,14 @@ const std::map<std::string, Cull> cull_names{
 const std::map<std::string, VisibilityMethod> visibility_names{{"zbuffer", VisibilityMethod::zbuffer},
                                                                {"scanline", VisibilityMethod::scanline}};
 
+const std::map<std::string, TextureFilter> texture_filter_names{{"nearest", TextureFilter::nearest},
+                                                                {"bilinear", TextureFilter::bilinear},
+                                                                {"trilinear", TextureFilter::trilinear}};
+
 struct RenderOptions {
   std::string input;
   std::string visibility = "zbuffer", shading = "phong", cull = "none", background = "transparent";
+  std::string texture_filter = "trilinear";
   CameraOptions camera;
   bool wireframe = false;
   bool quiet = false;
@@ -58,6 +63,8 @@ void add_picture_options(CLI::App& parser, RenderOptions& o) {
       ->check(CLI::IsMember(&visibility_names));
   parser.add_option("--shading", o.shading, "How surfaces are coloured (default: phong)")
       ->check(CLI::IsMember(&shading_names));
+  parser.add_option("--texture-filter", o.texture_filter, "How textures are filtered (default: trilinear)")
+      ->check(CLI::IsMember(&texture_filter_names));
   parser.add_option("--cull", o.cull, "Which triangles are left out by the way they face (default: none)")
       ->check(CLI::IsMember(&cull_names));
   parser.add_flag("--wireframe", o.wireframe, "Draw the edges of the visible triangles over the picture");
@@ -102,6 +109,7 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.background = colour_from(o.background, "--background");
   settings.visibility = visibility_names.at(o.visibility);
   settings.shading = shading_names.at(o.shading);
+  settings.texture_filter = texture_filter_names.at(o.texture_filter);
   settings.cull = cull_names.at(o.cull);
   settings.wireframe = o.wireframe;
   if (o.crop) settings.crop = rect_from(*o.crop, "--crop");

@@ -125,6 +125,24 @@ TEST_CASE("--background, --shading, --cull, --wireframe and --world-up do what t
   }
 }
 
+TEST_CASE("--texture-filter chooses how textures are filtered; trilinear is the default") {
+  const Workplace place;
+  const auto bytes = [&place](const std::string& options) {
+    REQUIRE(
+        place
+            .velum(
+                "render builtin:checkerboard --eye 0.3,1.5,127 --target 0.3,1.2,125 --size 64x36 -o p.png " +
+                options)
+            .code == 0);
+    return place.read("p.png");
+  };
+  const std::string trilinear = bytes("");
+  CHECK(bytes("--texture-filter trilinear") == trilinear);
+  CHECK(bytes("--texture-filter bilinear") != trilinear);
+  CHECK(bytes("--texture-filter nearest") != bytes("--texture-filter bilinear"));
+  CHECK(place.velum("render builtin:checkerboard --texture-filter sharp").code == 2);
+}
+
 TEST_CASE("a locale with a decimal comma changes nothing") {
   const Workplace place;
   const std::string render = "render builtin:cube --size 32x24 --eye 1.5,2.5,3.5 --fov 33.5 ";
