@@ -14,6 +14,7 @@
 #include "clipping/clip_polygon.hpp"
 #include "clipping/clip_segment.hpp"
 #include "drawing/canvas.hpp"
+#include "drawing/sheet.hpp"
 #include "image/compare.hpp"
 #include "image/files.hpp"
 #include "image/heat_map.hpp"

@@ -56,7 +56,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "velum " VELUM_VERSION);
   program.require_subcommand(1);
   const std::array verbs{add_render(program), add_matrix(program), add_info(program),
-                         add_projections(program)};
+                         add_projections(program), add_views(program)};
   if (argc < 2) {
     std::cerr << program.help();
     return exit_usage;

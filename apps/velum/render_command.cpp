@@ -43,6 +43,7 @@ struct RenderOptions {
   bool wireframe = false;
   bool quiet = false;
   std::optional<std::string> crop;
+  std::uint64_t layers = 0;
   std::optional<std::string> picture, depth, metric_depth, normals, object_ids, triangle_ids, report;
 };
 
@@ -68,6 +69,10 @@ void add_picture_options(CLI::App& parser, RenderOptions& o) {
   parser.add_option("--cull", o.cull, "Which triangles are left out by the way they face (default: none)")
       ->check(CLI::IsMember(&cull_names));
   parser.add_flag("--wireframe", o.wireframe, "Draw the edges of the visible triangles over the picture");
+  parser
+      .add_option("--layers", o.layers,
+                  "Most translucent layers blended per pixel (default: 0, until exhausted)")
+      ->type_name("N");
   parser.add_option("--crop", o.crop, "Render only this part of the picture, in pixels from the top left")
       ->type_name("X,Y,W,H");
 }
@@ -112,6 +117,7 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.texture_filter = texture_filter_names.at(o.texture_filter);
   settings.cull = cull_names.at(o.cull);
   settings.wireframe = o.wireframe;
+  settings.layers = o.layers;
   if (o.crop) settings.crop = rect_from(*o.crop, "--crop");
   settings.progress = terminal_progress(o.quiet);
   return settings;

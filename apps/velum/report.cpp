@@ -34,7 +34,8 @@ Json counters_json(const Counters& c) {
           {"pixels_tested", c.pixels_tested},
           {"fragments", c.fragments},
           {"fragments_written", c.fragments_written},
-          {"pixels_shaded", c.pixels_shaded}};
+          {"pixels_shaded", c.pixels_shaded},
+          {"layers", c.layers}};
 }
 
 Json hashes_json(const Picture& picture) {

@@ -25,5 +25,6 @@ Verb add_render(CLI::App& program);
 Verb add_matrix(CLI::App& program);
 Verb add_info(CLI::App& program);
 Verb add_projections(CLI::App& program);
+Verb add_views(CLI::App& program);
 
 }  // namespace velum_app

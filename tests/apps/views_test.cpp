@@ -1,0 +1,38 @@
+// velum views.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <velum/velum.hpp>
+
+#include "run_program.hpp"
+
+using nlohmann::json;
+
+TEST_CASE("velum views draws a sheet of the asked size and reports each view's place and camera") {
+  const Workplace place;
+  const Outcome outcome = place.velum(
+      "views builtin:letter-f -o sheet.png --layout six --angle third --size 800x600 --report sheet.json");
+  CHECK(outcome.code == 0);
+  const velum::Image<velum::Rgba8> sheet = velum::read_png(place.path("sheet.png"));
+  CHECK(sheet.width() == 800);
+  CHECK(sheet.height() == 600);
+  const json report = json::parse(place.read("sheet.json"));
+  CHECK(report["angle"] == "third");
+  CHECK(report["views"].size() == 6);
+  for (const json& view : report["views"]) {
+    CHECK(view["pixels_per_unit"] == report["pixels_per_unit"]);
+    CHECK(view["stages"].size() >= 4);
+  }
+}
+
+TEST_CASE("velum views names its picture after the input and refuses what it cannot use") {
+  const Workplace place;
+  CHECK(place.velum("views builtin:house --layout four --quiet").code == 0);
+  CHECK(place.has("house-views.png"));
+  CHECK(place.velum("views builtin:house --layout five").code == 2);
+  CHECK(place.velum("views builtin:house --size 40x40").code == 2);
+  CHECK(place.velum("views builtin:house -o sheet.jpg").code == 2);
+  CHECK(place.velum("views nothere.obj").code == 3);
+  CHECK(place.velum("views builtin:house -o nofolder/sheet.png").code == 4);
+  CHECK(place.files() == std::vector<std::string>{"house-views.png"});
+}
