@@ -45,6 +45,7 @@ ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, Lay
 
 void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& counters) {
   open_pixels_ = 0;
+  layers_.clear(0, 0);  // what an earlier frame of this Renderer gathered
   for (int y = 0; y < buffer.height(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
     const float* const depths = buffer.reversed_depth.row(y);

@@ -155,3 +155,20 @@ TEST_CASE("depth and ids are those of the first layer; a crop of a translucent p
   }
   CHECK(different == 0);
 }
+
+TEST_CASE("a Renderer that drew a translucent frame draws an opaque one as a new Renderer does") {
+  const auto sheet = [](float alpha) {
+    return Sheet{{glm::vec3(-9, -9, 0), glm::vec3(9, -9, 0), glm::vec3(0, 9, 0)}, glm::vec3(1.0f), alpha};
+  };
+  Renderer renderer;
+  renderer.render(scene_of({sheet(0.5f)}), front_camera(), unlit(48));
+  // Smaller, too: what the first frame left must not be written beyond the picture.
+  const Scene opaque = scene_of({sheet(1.0f)});
+  const Picture& again = renderer.render(opaque, front_camera(), unlit(16));
+  const Picture fresh = render(opaque, front_camera(), unlit(16));
+  int different = 0;
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 16; ++x) different += !(again.colour.at(x, y) == fresh.colour.at(x, y));
+  }
+  CHECK(different == 0);
+}
