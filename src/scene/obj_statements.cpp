@@ -25,6 +25,11 @@ constexpr std::int64_t most_elements = std::int64_t{1} << 30;
 // What one run costs in Scene (mesh, instance, arrays, the vectors they grow in), names apart.
 constexpr std::size_t bytes_per_run = 1600;
 
+// Names view the file: most often it is the very same place, and long names cost nothing per face then.
+bool is_same(std::string_view a, std::string_view b) {
+  return (a.data() == b.data() && a.size() == b.size()) || a == b;
+}
+
 class ObjParser {
  public:
   ObjParser(std::string_view text, const std::string& name)
@@ -211,8 +216,10 @@ void ObjParser::check_references(const Largest& largest, std::size_t count, cons
 }
 
 void ObjParser::begin_run_if_new() {
-  if (!out_.runs.empty() && out_.runs.back().object == object_ && out_.runs.back().material == material_)
+  if (!out_.runs.empty() && is_same(out_.runs.back().object, object_) &&
+      is_same(out_.runs.back().material, material_)) {
     return;
+  }
   run_bytes_ += bytes_per_run + 2 * object_.size() + material_.size();
   require_within_memory_bound(run_bytes_, file_bytes_, "so many objects and materials", scanner_.where());
   out_.runs.push_back({object_, material_, out_.polygons.size()});
