@@ -1,5 +1,9 @@
 #pragma once
 
+#ifdef __FAST_MATH__
+#error "velum promises the same bytes everywhere; it cannot keep that under -ffast-math. Build without it."
+#endif
+
 namespace velum {
 
 /// Sets round-to-nearest-even and switches flush-to-zero and denormals-are-zero off for this thread, and
