@@ -12,6 +12,7 @@
 #include "terminal_progress.hpp"
 #include "text.hpp"
 #include "verb.hpp"
+#include "visibility_options.hpp"
 
 namespace velum_app {
 namespace {
@@ -28,8 +29,6 @@ const std::map<std::string, Shading> shading_names{{"flat", Shading::flat},
                                                    {"barycentric", Shading::barycentric}};
 const std::map<std::string, Cull> cull_names{
     {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
-const std::map<std::string, VisibilityMethod> visibility_names{{"zbuffer", VisibilityMethod::zbuffer},
-                                                               {"scanline", VisibilityMethod::scanline}};
 
 const std::map<std::string, TextureFilter> texture_filter_names{{"nearest", TextureFilter::nearest},
                                                                 {"bilinear", TextureFilter::bilinear},
@@ -37,9 +36,10 @@ const std::map<std::string, TextureFilter> texture_filter_names{{"nearest", Text
 
 struct RenderOptions {
   std::string input;
-  std::string visibility = "zbuffer", shading = "phong", cull = "none", background = "transparent";
+  std::string shading = "phong", cull = "none", background = "transparent";
   std::string texture_filter = "trilinear";
   CameraOptions camera;
+  VisibilityOptions visibility;
   bool wireframe = false;
   bool quiet = false;
   std::optional<std::string> crop;
@@ -60,8 +60,7 @@ constexpr const char* examples =
 void add_picture_options(CLI::App& parser, RenderOptions& o) {
   parser.add_option("--background", o.background, "Behind the scene: transparent (default) or #rrggbb")
       ->type_name("COLOUR");
-  parser.add_option("--visibility", o.visibility, "How visibility is found (default: zbuffer)")
-      ->check(CLI::IsMember(&visibility_names));
+  o.visibility.add_to(parser);
   parser.add_option("--shading", o.shading, "How surfaces are coloured (default: phong)")
       ->check(CLI::IsMember(&shading_names));
   parser.add_option("--texture-filter", o.texture_filter, "How textures are filtered (default: trilinear)")
@@ -112,7 +111,7 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.width = size.width;
   settings.height = size.height;
   settings.background = colour_from(o.background, "--background");
-  settings.visibility = visibility_names.at(o.visibility);
+  o.visibility.apply_to(settings);
   settings.shading = shading_names.at(o.shading);
   settings.texture_filter = texture_filter_names.at(o.texture_filter);
   settings.cull = cull_names.at(o.cull);
@@ -124,13 +123,13 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
 }
 
 void write_all(const std::vector<Output>& outputs, const Picture& picture, const Camera& camera,
-               double aspect) {
+               const RenderSettings& settings) {
   for (const Output& output : outputs) {
     if (output.kind != OutputKind::report) {
       write_output(output, picture);
       continue;
     }
-    const std::string text = json_text(report_of(picture, camera, aspect));
+    const std::string text = json_text(report_of(picture, camera, settings));
     write_file(output.path, std::as_bytes(std::span(text)));
   }
 }
@@ -161,7 +160,7 @@ int run(const RenderOptions& o) {
   const Picture picture = render(scene, camera, settings);
   clear_progress(settings.progress);
 
-  write_all(outputs, picture, camera, view.framing.aspect);
+  write_all(outputs, picture, camera, settings);
   if (!o.quiet) {
     for (const std::string& note : scene.notes) std::cerr << "velum: note: " << note << '\n';
     print_summary(outputs, picture, view.projection);

@@ -1,5 +1,7 @@
 #include "report.hpp"
 
+#include <cmath>
+
 #include "sha256.hpp"
 
 namespace velum_app {
@@ -31,11 +33,21 @@ Json counters_json(const Counters& c) {
           {"screen_triangles", c.screen_triangles},
           {"zero_area", c.zero_area},
           {"reversed", c.reversed},
-          {"pixels_tested", c.pixels_tested},
           {"fragments", c.fragments},
           {"fragments_written", c.fragments_written},
           {"pixels_shaded", c.pixels_shaded},
           {"layers", c.layers}};
+}
+
+/// What the visibility method had to do for it; the only part of a report that differs between methods.
+Json work_json(const Counters& c) {
+  return {{"pixels_tested", c.pixels_tested}, {"spans", c.spans}};
+}
+
+/// The smallest step of depth at the far plane, world units; null if that has no end.
+Json resolution_at_far(const Camera& camera, DepthFormat format) {
+  const double step = depth_resolution_at(camera, format, camera.far());
+  return std::isfinite(step) ? Json(step) : Json();
 }
 
 Json hashes_json(const Picture& picture) {
@@ -52,12 +64,15 @@ Json box_json(const Rect& box) {
 
 }  // namespace
 
-Json report_of(const Picture& picture, const Camera& camera, double aspect) {
+Json report_of(const Picture& picture, const Camera& camera, const RenderSettings& settings) {
+  const double aspect = static_cast<double>(settings.width) / settings.height;
   return {{"size", Json::array({picture.colour.width(), picture.colour.height()})},
           {"coverage", picture.coverage()},
           {"bbox", box_json(picture.bounding_box())},
           {"camera", json_of(camera)},
+          {"depth_resolution_at_far", resolution_at_far(camera, settings.depth_format)},
           {"counters", counters_json(picture.counters)},
+          {"work", work_json(picture.counters)},
           {"stages", json_of(camera.viewing_transform(aspect).stages())},
           {"sha256", hashes_json(picture)}};
 }

@@ -96,3 +96,31 @@ TEST_CASE("the report goes to standard output as -") {
   CHECK(json::parse(outcome.out)["size"] == json::array({32, 24}));
   CHECK(contains(outcome.err, "c.png: 32x24"));
 }
+
+TEST_CASE("scanline and z-buffer give equal reports but for the work they did") {
+  for (const std::string projection : {"cabinet", "isometric", "perspective"}) {
+    const std::string options = "builtin:house --size 64x48 --projection " + projection + " --visibility ";
+    json scanline = report_of(options + "scanline");
+    json zbuffer = report_of(options + "zbuffer");
+    CHECK(scanline["work"]["spans"].get<int>() > 0);
+    CHECK(zbuffer["work"]["spans"] == 0);
+    scanline.erase("work");
+    zbuffer.erase("work");
+    CHECK(scanline == zbuffer);
+  }
+}
+
+TEST_CASE("the report tells the depth resolution at the far end, by the format") {
+  const std::string camera = "builtin:cube --size 32x32 --projection front --near 1 --far 11 --depth-format ";
+  CHECK(report_of(camera + "8")["depth_resolution_at_far"].get<double>() == doctest::Approx(10.0 / 255));
+  CHECK(report_of(camera + "16")["depth_resolution_at_far"].get<double>() == doctest::Approx(10.0 / 65535));
+  CHECK(report_of(camera + "float")["depth_resolution_at_far"].get<double>() < 1e-6);
+}
+
+TEST_CASE("depth interpolation with the z-buffer is a usage error; with scanline it renders") {
+  const Workplace place;
+  CHECK(place.velum("render builtin:cube --size 8x8 --z-interpolation edges").code == 2);
+  CHECK(place.velum("render builtin:cube --size 8x8 --depth-format 12").code == 2);
+  CHECK(place.velum("render builtin:cube --size 8x8 --visibility scanline --z-interpolation edges").code ==
+        0);
+}

@@ -1,0 +1,45 @@
+#include "visibility_options.hpp"
+
+#include <map>
+
+namespace velum_app {
+namespace {
+
+using namespace velum;
+
+const std::map<std::string, VisibilityMethod> method_names{{"zbuffer", VisibilityMethod::zbuffer},
+                                                           {"scanline", VisibilityMethod::scanline}};
+const std::map<std::string, ZInterpolation> z_interpolation_names{
+    {"plane", ZInterpolation::plane},
+    {"edges", ZInterpolation::edges},
+    {"incremental", ZInterpolation::incremental}};
+const std::map<std::string, DepthFormat> depth_format_names{{"reversed", DepthFormat::reversed},
+                                                            {"float", DepthFormat::float_z},
+                                                            {"24", DepthFormat::z24},
+                                                            {"16", DepthFormat::z16},
+                                                            {"8", DepthFormat::z8}};
+
+}  // namespace
+
+void VisibilityOptions::add_to(CLI::App& parser) {
+  parser
+      .add_option("--visibility", method,
+                  "How visibility is found; the picture is the same (default: zbuffer)")
+      ->check(CLI::IsMember(&method_names));
+  parser
+      .add_option("--z-interpolation", z_interpolation,
+                  "For teaching, with scanline: depth from the plane (default), edges, or incremental")
+      ->check(CLI::IsMember(&z_interpolation_names));
+  parser
+      .add_option("--depth-format", depth_format,
+                  "For teaching: reversed (default), float, or that many bits: 24, 16, 8")
+      ->check(CLI::IsMember(&depth_format_names));
+}
+
+void VisibilityOptions::apply_to(RenderSettings& settings) const {
+  settings.visibility = method_names.at(method);
+  settings.z_interpolation = z_interpolation_names.at(z_interpolation);
+  settings.depth_format = depth_format_names.at(depth_format);
+}
+
+}  // namespace velum_app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <velum/velum.hpp>
+
+namespace velum_app {
+
+/// `--visibility`, `--z-interpolation` and `--depth-format`, as given.
+struct VisibilityOptions {
+  std::string method = "zbuffer";
+  std::string z_interpolation = "plane";
+  std::string depth_format = "reversed";
+
+  void add_to(CLI::App& parser);
+  void apply_to(velum::RenderSettings& settings) const;
+};
+
+}  // namespace velum_app
