@@ -16,6 +16,8 @@
 #include "drawing/canvas.hpp"
 #include "drawing/sheet.hpp"
 #include "image/compare.hpp"
+#include "drawing/clip_drawing.hpp"
+#include "drawing/pixel_drawing.hpp"
 #include "image/files.hpp"
 #include "image/heat_map.hpp"
 #include "image/image.hpp"
