@@ -1,6 +1,7 @@
 #include "clip_drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>
@@ -129,7 +130,7 @@ class Panel {
       }
     }
     canvas_.text(at({0, -1, 0}) + glm::dvec2(0, 6), "near z=0", 1, faint, TextAnchor::middle);
-    canvas_.text(at({0, 1, 1}) - glm::dvec2(0, 14), "far z=1", 1, faint, TextAnchor::middle);
+    canvas_.text(at({0.7, 1, 1}) + glm::dvec2(8, -12), "far z=1", 1, faint, TextAnchor::left);
   }
 
   void draw_face(ClipPlane plane) { canvas_.polygon(corners_of(face_of(plane)), face_colour); }
@@ -142,6 +143,14 @@ class Panel {
     Rgba8 edge = tint;
     edge.a = 255;
     if (corners.size() > 1) canvas_.outline(corners, 2.0, edge);
+  }
+
+  /// Labels stand on the side away from this polygon's middle.
+  void keep_labels_out_of(const std::vector<int>& numbers) {
+    const std::vector<glm::dvec2> corners = visible(numbers);
+    if (corners.empty()) return;
+    middle_ = glm::dvec2(0.0);
+    for (const glm::dvec2& corner : corners) middle_ += corner / static_cast<double>(corners.size());
   }
 
   void draw_vertices(const std::vector<int>& numbers, const Rgba8& colour) {
@@ -188,13 +197,23 @@ class Panel {
     return at(divided(position(number)));
   }
 
+  /// With a rim of paper, so that it can be read over lines.
   void label(const glm::dvec2& p, int number, const Rgba8& colour) {
-    canvas_.text(p + glm::dvec2(7, -15), std::to_string(number), 2, colour);
+    const glm::dvec2 away = p - middle_;
+    const double length = std::sqrt(glm::dot(away, away));
+    const glm::dvec2 centre = p + (length > 0.0 ? away * (15.0 / length) : glm::dvec2(0.0, -15.0));
+    const glm::dvec2 top = centre - glm::dvec2(0.0, 7.0);
+    const std::string text = std::to_string(number);
+    for (const glm::dvec2& rim : {glm::dvec2(-1, 0), glm::dvec2(1, 0), glm::dvec2(0, -1), glm::dvec2(0, 1)}) {
+      canvas_.text(top + rim, text, 2, paper, TextAnchor::middle);
+    }
+    canvas_.text(top, text, 2, colour, TextAnchor::middle);
   }
 
   const ClipTrace& trace_;
   const Outside& outside_;
   Canvas canvas_;
+  glm::dvec2 middle_{0.0};
 };
 
 const char* verdict_text(ClipVerdict verdict) {
@@ -225,6 +244,7 @@ bool has_vertex_behind(const ClipTrace& trace) {
 void draw_start(Panel& panel, const ClipTrace& trace) {
   panel.draw_box();
   panel.draw_polygon({0, 1, 2}, tints[0]);
+  panel.keep_labels_out_of({0, 1, 2});
   panel.draw_vertices({0, 1, 2}, ink);
   panel.draw_title("triangle", has_vertex_behind(trace)
                                    ? "a vertex is behind the eye (w <= 0): drawn as far as it is in front"
@@ -241,6 +261,7 @@ void draw_step(Panel& panel, const ClipStep& step) {
   for (const int number : step.polygon) {
     if (std::find(step.made.begin(), step.made.end(), number) == step.made.end()) kept.push_back(number);
   }
+  panel.keep_labels_out_of(step.polygon);
   panel.draw_removed(step.removed);
   panel.draw_vertices(kept, ink);
   panel.draw_vertices(step.made, made_colour);

@@ -68,6 +68,7 @@ class Sheet {
     for (std::size_t i = pixel_.fragments.size(); i-- > 0;) draw_outline(pixel_.fragments[i]);
     draw_centres(neighbours);
     draw_corners();
+    draw_sought_centre();
     draw_margins();
     draw_legend();
   }
@@ -118,7 +119,10 @@ class Sheet {
         canvas_.disc(at(x + 0.5, y + 0.5), 2.5, is_background ? faint : ink);
       }
     }
-    canvas_.disc(at(pixel_.x + 0.5, pixel_.y + 0.5), 4.0, sought);
+  }
+
+  void draw_sought_centre() {
+    canvas_.disc(at(pixel_.x + 0.5, pixel_.y + 0.5), 3.0, sought);
     canvas_.ring(at(pixel_.x + 0.5, pixel_.y + 0.5), 9.0, 2.0, sought);
   }
 
@@ -167,10 +171,9 @@ class Sheet {
       }
       const CoveringFragment& fragment = pixel_.fragments[i];
       canvas_.rectangle(margin_left, static_cast<int>(y) - 1, 16, 16, colour_of(fragment.primitive));
-      canvas_.text({margin_left + 26, y},
-                   std::to_string(fragment.primitive) + "  r=" + short_number(fragment.reversed_depth, 6) +
-                       "  " + outcome_text(fragment),
-                   2, ink);
+      canvas_.text({margin_left + 26, y}, std::to_string(fragment.primitive), 2, ink);
+      canvas_.text({margin_left + 150, y}, "r=" + short_number(fragment.reversed_depth, 6), 2, ink);
+      canvas_.text({margin_left + 310, y}, outcome_text(fragment), 2, ink);
     }
   }
 
