@@ -10,7 +10,7 @@ using namespace velum;
 
 namespace {
 
-struct Sheet {
+struct Pane {
   std::array<glm::vec3, 3> corners;
   glm::vec3 colour;
   float alpha;
@@ -18,11 +18,11 @@ struct Sheet {
 
 /// Random translucent triangles of different depths (no two depths are equal), in front of each other
 /// everywhere.
-std::vector<Sheet> random_sheets(Random& random, int count) {
-  std::vector<Sheet> sheets;
+std::vector<Pane> random_sheets(Random& random, int count) {
+  std::vector<Pane> sheets;
   const auto f = [&](double a, double b) { return static_cast<float>(random.uniform(a, b)); };
   for (int i = 0; i < count; ++i) {
-    Sheet sheet;
+    Pane sheet;
     for (glm::vec3& corner : sheet.corners) corner = {f(-1.5, 1.5), f(-1.5, 1.5), f(-1.0, 1.0)};
     sheet.colour = {f(0, 1), f(0, 1), f(0, 1)};
     sheet.alpha = i % 7 == 6 ? 1.0f : f(0.1, 0.9);
@@ -32,9 +32,9 @@ std::vector<Sheet> random_sheets(Random& random, int count) {
 }
 
 /// Each sheet an object of its own, so that only (depth, id) orders them.
-Scene scene_of(const std::vector<Sheet>& sheets) {
+Scene scene_of(const std::vector<Pane>& sheets) {
   Scene scene;
-  for (const Sheet& sheet : sheets) {
+  for (const Pane& sheet : sheets) {
     Mesh mesh;
     mesh.positions = {sheet.corners[0], sheet.corners[1], sheet.corners[2]};
     mesh.triangles = {glm::uvec3(0, 1, 2)};
@@ -62,7 +62,7 @@ Camera front_camera() {
 }
 
 /// The oracle: all opaque renderings of single sheets, sorted by (depth, id) and blended front to back.
-glm::vec4 blended_at(const std::vector<Picture>& alone, const std::vector<Sheet>& sheets, int x, int y) {
+glm::vec4 blended_at(const std::vector<Picture>& alone, const std::vector<Pane>& sheets, int x, int y) {
   std::vector<std::pair<float, std::size_t>> fragments;
   for (std::size_t i = 0; i < alone.size(); ++i) {
     if (alone[i].triangle_id.at(x, y) != 0xFFFFFFFFu) fragments.emplace_back(alone[i].depth.at(x, y), i);
@@ -81,10 +81,10 @@ glm::vec4 blended_at(const std::vector<Picture>& alone, const std::vector<Sheet>
 
 TEST_CASE("translucent sheets blend front to back, exactly as sorted fragments do") {
   Random random{21};
-  const std::vector<Sheet> sheets = random_sheets(random, 15);
+  const std::vector<Pane> sheets = random_sheets(random, 15);
   const Picture picture = render(scene_of(sheets), front_camera(), unlit(48));
   std::vector<Picture> alone;
-  for (const Sheet& sheet : sheets) alone.push_back(render(scene_of({sheet}), front_camera(), unlit(48)));
+  for (const Pane& sheet : sheets) alone.push_back(render(scene_of({sheet}), front_camera(), unlit(48)));
   int worst = 0;
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 48; ++x) {
@@ -103,7 +103,7 @@ TEST_CASE("translucent sheets blend front to back, exactly as sorted fragments d
 
 TEST_CASE("the order of the scene does not matter where no two depths are equal") {
   Random random{22};
-  std::vector<Sheet> sheets = random_sheets(random, 12);
+  std::vector<Pane> sheets = random_sheets(random, 12);
   const Picture forwards = render(scene_of(sheets), front_camera(), unlit(48));
   std::reverse(sheets.begin(), sheets.end());
   const Picture backwards = render(scene_of(sheets), front_camera(), unlit(48));
@@ -116,7 +116,7 @@ TEST_CASE("the order of the scene does not matter where no two depths are equal"
 
 TEST_CASE("peeling stops at the nearest opaque fragment, at the limit, and when nothing is left") {
   const auto sheet = [](float z, float alpha) {
-    return Sheet{{glm::vec3(-9, -9, z), glm::vec3(9, -9, z), glm::vec3(0, 9, z)}, glm::vec3(1.0f), alpha};
+    return Pane{{glm::vec3(-9, -9, z), glm::vec3(9, -9, z), glm::vec3(0, 9, z)}, glm::vec3(1.0f), alpha};
   };
   RenderSettings settings = unlit(8);
   CHECK(render(scene_of({sheet(0.5f, 1.0f), sheet(0.0f, 0.5f)}), front_camera(), settings).counters.layers ==
@@ -158,7 +158,7 @@ TEST_CASE("depth and ids are those of the first layer; a crop of a translucent p
 
 TEST_CASE("a Renderer that drew a translucent frame draws an opaque one as a new Renderer does") {
   const auto sheet = [](float alpha) {
-    return Sheet{{glm::vec3(-9, -9, 0), glm::vec3(9, -9, 0), glm::vec3(0, 9, 0)}, glm::vec3(1.0f), alpha};
+    return Pane{{glm::vec3(-9, -9, 0), glm::vec3(9, -9, 0), glm::vec3(0, 9, 0)}, glm::vec3(1.0f), alpha};
   };
   Renderer renderer;
   renderer.render(scene_of({sheet(0.5f)}), front_camera(), unlit(48));
