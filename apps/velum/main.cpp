@@ -22,7 +22,8 @@ constexpr const char* examples =
     "  velum matrix --projection isometric --point 0.5,0.5,0.5\n"
     "  velum info bunny.obj                            what is in the file\n"
     "  velum projections                               the catalogue of projections\n"
-    "`velum VERB --help` tells more. Exit codes: 0 ok, 1 nothing to be seen in the picture,\n"
+    "  velum diff before.png after.png                 how far two pictures are apart\n"
+    "`velum VERB --help` tells more. Exit codes: 0 ok, 1 nothing to be seen, or pictures differ,\n"
     "2 usage, 3 cannot read, 4 cannot write.";
 
 int exit_code_of(velum::ErrorKind kind) {
@@ -55,8 +56,8 @@ int run(int argc, char** argv) {
   program.footer(examples);
   program.set_version_flag("--version", "velum " VELUM_VERSION);
   program.require_subcommand(1);
-  const std::array verbs{add_render(program), add_matrix(program), add_info(program),
-                         add_projections(program), add_views(program)};
+  const std::array verbs{add_render(program),      add_matrix(program), add_info(program),
+                         add_projections(program), add_views(program),  add_diff(program)};
   if (argc < 2) {
     std::cerr << program.help();
     return exit_usage;

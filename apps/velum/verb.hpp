@@ -8,7 +8,8 @@ namespace velum_app {
 /// The exit codes of the program (docs/conventions.md). Nothing else is returned on purpose.
 enum ExitCode : int {
   exit_ok = 0,
-  exit_blank = 1,  ///< rendered, but nothing is to be seen
+  exit_blank = 1,      ///< rendered, but nothing is to be seen
+  exit_different = 1,  ///< velum diff: the pictures differ by more than the limits allow
   exit_usage = 2,
   exit_cannot_read = 3,
   exit_cannot_write = 4,
@@ -26,5 +27,6 @@ Verb add_matrix(CLI::App& program);
 Verb add_info(CLI::App& program);
 Verb add_projections(CLI::App& program);
 Verb add_views(CLI::App& program);
+Verb add_diff(CLI::App& program);
 
 }  // namespace velum_app
