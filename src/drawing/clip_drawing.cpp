@@ -29,6 +29,8 @@ constexpr Rgba8 tints[] = {{90, 130, 230, 120}, {60, 170, 170, 130}, {70, 170, 8
 constexpr double depth_stretch = 2.0;
 /// Vertices farther out than this do not make the box smaller; their edges leave the panel.
 constexpr double farthest_shown = 2.5;
+/// Free above the volume, for two lines of text; pixels.
+constexpr int header = 40;
 
 glm::dvec3 model_of(const glm::dvec3& canonical) {
   return {canonical.x, canonical.y, -depth_stretch * canonical.z};
@@ -57,7 +59,7 @@ std::vector<glm::dvec4> in_front(const std::vector<glm::dvec4>& polygon) {
 /// The camera that looks at the volume from outside.
 class Outside {
  public:
-  Outside(const ClipTrace& trace, int size) : viewport_{size, size} {
+  Outside(const ClipTrace& trace, int size) : viewport_{size, size - header} {
     Aabb bounds;
     bounds.include(model_of({-1, -1, 0}));
     bounds.include(model_of({1, 1, 1}));
@@ -69,14 +71,15 @@ class Outside {
     }
     FrameOptions options;
     options.margin = 0.09;
+    options.aspect = static_cast<double>(viewport_.width) / viewport_.height;
     const Camera camera = frame(bounds, projection::orthographic(radians(22.0), radians(-32.0)), options);
-    picture_from_model_ = camera.viewing_transform(1.0).clip_from_world();
+    picture_from_model_ = camera.viewing_transform(options.aspect).clip_from_world();
   }
 
   /// Panel position of a canonical point.
   glm::dvec2 at(const glm::dvec3& canonical) const {
     const glm::dvec4 clip = picture_from_model_ * glm::dvec4(model_of(canonical), 1.0);
-    return viewport_.pixel_from_ndc(clip.x, clip.y);
+    return viewport_.pixel_from_ndc(clip.x, clip.y) + glm::dvec2(0, header);
   }
 
  private:

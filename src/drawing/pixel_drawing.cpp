@@ -23,6 +23,7 @@ constexpr Rgba8 sought{200, 0, 0, 255};
 constexpr int margin_left = 56;
 constexpr int margin_top = 64;
 constexpr int margin_right = 24;
+constexpr int label_width = 36;  // of a pixel's number with its gap
 constexpr int legend_line = 20;
 constexpr std::size_t legend_lines = 10;
 
@@ -98,7 +99,7 @@ class Sheet {
         canvas_.rectangle(left, top, cell_ - 1, cell_ - 1, paper);
         const std::uint32_t id = neighbours.triangle_id.at(x - inside_.left, y - inside_.top);
         if (id != no_primitive)
-          canvas_.rectangle(left, top, cell_ - 1, cell_ - 1, with_alpha(colour_of(id), 110));
+          canvas_.rectangle(left, top, cell_ - 1, cell_ - 1, with_alpha(colour_of(id), 190));
       }
     }
   }
@@ -116,7 +117,7 @@ class Sheet {
       for (int x = inside_.left; x < inside_.right(); ++x) {
         const bool is_background =
             neighbours.triangle_id.at(x - inside_.left, y - inside_.top) == no_primitive;
-        canvas_.disc(at(x + 0.5, y + 0.5), 2.5, is_background ? faint : ink);
+        canvas_.disc(at(x + 0.5, y + 0.5), std::min(2.5, 0.12 * cell_), is_background ? faint : ink);
       }
     }
   }
@@ -145,16 +146,21 @@ class Sheet {
     canvas_.rectangle(0, bottom, canvas_.width(), canvas_.height() - bottom, paper);
     canvas_.rectangle(0, 0, margin_left, canvas_.height(), paper);
     canvas_.rectangle(right, 0, margin_right, canvas_.height(), paper);
-    for (int i = 0; i < shown_.width; ++i) {
-      const int x = shown_.left + i;
-      if (x >= inside_.left && x < inside_.right())
-        canvas_.text(at(x + 0.5, shown_.top) - glm::dvec2(0, 14), std::to_string(x), 1,
-                     x == pixel_.x ? sought : faint, TextAnchor::middle);
-      const int y = shown_.top + i;
-      if (y >= inside_.top && y < inside_.bottom())
-        canvas_.text(at(shown_.left, y + 0.5) - glm::dvec2(8, 3), std::to_string(y), 1,
-                     y == pixel_.y ? sought : faint, TextAnchor::right);
-    }
+    const int step = (label_width + cell_ - 1) / cell_;
+    for (int i = pixel_.x - shown_.left; i < shown_.width; i += step) draw_numbers(i);
+    for (int i = pixel_.x - shown_.left - step; i >= 0; i -= step) draw_numbers(i);
+  }
+
+  /// Of the i-th column and row shown. The explained pixel is in the middle of both.
+  void draw_numbers(int i) {
+    const int x = shown_.left + i;
+    if (x >= inside_.left && x < inside_.right())
+      canvas_.text(at(x + 0.5, shown_.top) - glm::dvec2(0, 14), std::to_string(x), 1,
+                   x == pixel_.x ? sought : faint, TextAnchor::middle);
+    const int y = shown_.top + i;
+    if (y >= inside_.top && y < inside_.bottom())
+      canvas_.text(at(shown_.left, y + 0.5) - glm::dvec2(8, 3), std::to_string(y), 1,
+                   y == pixel_.y ? sought : faint, TextAnchor::right);
   }
 
   void draw_legend() {
