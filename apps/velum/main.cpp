@@ -22,6 +22,8 @@ constexpr const char* examples =
     "  velum matrix --projection isometric --point 0.5,0.5,0.5\n"
     "  velum info bunny.obj                            what is in the file\n"
     "  velum projections                               the catalogue of projections\n"
+    "  velum pixel bunny.obj --at 400,300              why this pixel shows what it shows\n"
+    "  velum clip-trace bunny.obj --triangle 7         how the view volume cuts a triangle\n"
     "  velum diff before.png after.png                 how far two pictures are apart\n"
     "`velum VERB --help` tells more. Exit codes: 0 ok, 1 nothing to be seen, or pictures differ,\n"
     "2 usage, 3 cannot read, 4 cannot write.";
@@ -57,7 +59,8 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "velum " VELUM_VERSION);
   program.require_subcommand(1);
   const std::array verbs{add_render(program),      add_matrix(program), add_info(program),
-                         add_projections(program), add_views(program),  add_diff(program)};
+                         add_projections(program), add_views(program),  add_pixel(program),
+                         add_clip_trace(program),  add_diff(program)};
   if (argc < 2) {
     std::cerr << program.help();
     return exit_usage;

@@ -15,23 +15,35 @@ std::string element_text(double value) {
   return plain ? fixed_text(value, 6) : number_text(value, 7);
 }
 
-}  // namespace
+std::string exact_element_text(double value) {
+  return number_text(value, 9);
+}
 
-std::string matrix_text(const glm::dmat4& matrix) {
+std::string rows_text(const glm::dmat4& matrix, std::string (*text_of)(double), std::size_t indent) {
   std::size_t width[4] = {};
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
-      width[column] = std::max(width[column], element_text(matrix[column][row]).size());
+      width[column] = std::max(width[column], text_of(matrix[column][row]).size());
     }
   }
   std::string text;
   for (int row = 0; row < 4; ++row) {
-    text += "    [ ";
+    text += std::string(indent, ' ') + "[ ";
     for (int column = 0; column < 4; ++column) {
-      text += padded_left(element_text(matrix[column][row]), width[column]) + (column < 3 ? "   " : " ]\n");
+      text += padded_left(text_of(matrix[column][row]), width[column]) + (column < 3 ? "   " : " ]\n");
     }
   }
   return text;
+}
+
+}  // namespace
+
+std::string matrix_text(const glm::dmat4& matrix) {
+  return rows_text(matrix, element_text, 4);
+}
+
+std::string long_matrix_text(const glm::dmat4& matrix) {
+  return rows_text(matrix, exact_element_text, 7);
 }
 
 std::string vector_text(const glm::dvec4& vector) {

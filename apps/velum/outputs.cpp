@@ -137,4 +137,8 @@ void write_output(const Output& output, const Picture& picture) {
   }
 }
 
+void write_drawing(const Output& output, const Image<Rgba8>& drawing) {
+  write_colour(output, drawing);
+}
+
 }  // namespace velum_app

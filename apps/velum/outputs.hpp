@@ -24,4 +24,7 @@ void check_outputs(const std::vector<Output>& outputs);
 /// Writes one output, whole or not at all. @pre checked, and not the report. @throws velum::Error (write)
 void write_output(const Output& output, const velum::Picture& picture);
 
+/// The same for a drawing that is no part of a Picture. @pre output.kind is colour
+void write_drawing(const Output& output, const velum::Image<velum::Rgba8>& drawing);
+
 }  // namespace velum_app

@@ -74,6 +74,21 @@ Size size_from(std::string_view text, const std::string& option) {
   return size;
 }
 
+Pixel pixel_from(std::string_view text, const std::string& option) {
+  const auto parts = split(text, ',');
+  Pixel pixel{0, 0};
+  if (parts.size() != 2 || !parse_whole(parts[0], pixel.x) || !parse_whole(parts[1], pixel.y)) {
+    not_understood(text, option, "two whole numbers x,y, such as 320,240");
+  }
+  return pixel;
+}
+
+std::uint64_t whole_number_from(std::string_view text, const std::string& option) {
+  std::uint64_t value = 0;
+  if (!parse_whole(text, value)) not_understood(text, option, "a whole number such as 12");
+  return value;
+}
+
 velum::Rect rect_from(std::string_view text, const std::string& option) {
   const auto parts = split(text, ',');
   velum::Rect rect;

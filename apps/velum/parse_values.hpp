@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
@@ -23,6 +24,14 @@ struct Size {
 };
 /// "WxH", each 1 … 32768
 Size size_from(std::string_view text, const std::string& option);
+struct Pixel {
+  int x;
+  int y;
+};
+/// "X,Y" in whole pixels
+Pixel pixel_from(std::string_view text, const std::string& option);
+/// A whole number ≥ 0
+std::uint64_t whole_number_from(std::string_view text, const std::string& option);
 /// "X,Y,W,H" in pixels
 velum::Rect rect_from(std::string_view text, const std::string& option);
 /// "transparent" or "#rrggbb"

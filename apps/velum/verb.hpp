@@ -27,6 +27,8 @@ Verb add_matrix(CLI::App& program);
 Verb add_info(CLI::App& program);
 Verb add_projections(CLI::App& program);
 Verb add_views(CLI::App& program);
+Verb add_pixel(CLI::App& program);
+Verb add_clip_trace(CLI::App& program);
 Verb add_diff(CLI::App& program);
 
 }  // namespace velum_app

@@ -131,7 +131,8 @@ TEST_CASE("no arguments show the help and end with 2; --help and --version end w
   const Outcome version = place.velum("--version");
   CHECK(version.code == 0);
   CHECK(version.out.starts_with("velum "));
-  for (const std::string verb : {"", "render", "matrix", "info", "projections", "diff"}) {
+  for (const std::string verb :
+       {"", "render", "matrix", "info", "projections", "views", "pixel", "clip-trace", "diff"}) {
     const Outcome help = place.velum(verb + " --help");
     CAPTURE(verb);
     CHECK(help.code == 0);
