@@ -60,7 +60,7 @@ int run(const ClipTraceOptions& o) {
   if (o.json) {
     Json json{{"triangle", primitive},
               {"object", triangle.place.instance},
-              {"object_triangle", triangle.place.triangle}};
+              {"object_triangle", triangle.place.index}};
     json.update(json_of(trace));
     std::cout << json_text(json);
   } else {

@@ -50,7 +50,7 @@ std::string hexadecimal_text(std::uint32_t bits) {
 
 std::string verdict_text(const CoveringFragment& fragment, const PixelExplanation& pixel) {
   const CoveringFragment& seen = pixel.fragments[0];
-  const std::string winner = "triangle " + std::to_string(seen.primitive);
+  const std::string winner = kind_name(seen.place.kind) + (" " + std::to_string(seen.primitive));
   switch (fragment.outcome) {
     case FragmentOutcome::seen: {
       if (pixel.fragments.size() == 1) return "wins: it is the only one";
@@ -70,11 +70,18 @@ std::string verdict_text(const CoveringFragment& fragment, const PixelExplanatio
   return {};
 }
 
+std::string capitalised(std::string word) {
+  word[0] = static_cast<char>(word[0] - 'a' + 'A');
+  return word;
+}
+
 std::string fragment_text(const CoveringFragment& fragment, const PixelExplanation& pixel,
                           const Scene& scene) {
-  std::string text =
-      "\n  Triangle " + std::to_string(fragment.primitive) + " (" + place_text(scene, fragment.place) + ")";
-  if (fragment.pieces > 1)
+  std::string text = "\n  " + capitalised(kind_name(fragment.place.kind)) + " " +
+                     std::to_string(fragment.primitive) + " (" + place_text(scene, fragment.place) + ")";
+  if (fragment.place.kind != PrimitiveKind::triangle)
+    text += ", one of the two halves of its outline on the picture";
+  else if (fragment.pieces > 1)
     text += ", piece " + std::to_string(fragment.piece) + " of " + std::to_string(fragment.pieces);
   text += "\n    corners, clockwise as seen" + std::string(fragment.is_turned ? " (P1 and P2 swapped)" : "") +
           ":";
@@ -96,7 +103,7 @@ std::string fragment_text(const CoveringFragment& fragment, const PixelExplanati
 std::string fragments_text(const PixelExplanation& pixel, const Scene& scene) {
   std::string text = "The centre is (" + std::to_string(pixel.x) + " + 1/2, " + std::to_string(pixel.y) +
                      " + 1/2), in 1/256 pixel " + tuple_text(pixel.centre) + ".\n";
-  if (pixel.fragments.empty()) return text + "No triangle covers it: the background is seen.\n";
+  if (pixel.fragments.empty()) return text + "Nothing covers it: the background is seen.\n";
   const std::size_t count = pixel.fragments.size();
   text += (count == 1 ? "One fragment covers" : std::to_string(count) + " fragments cover") +
           std::string(" it, nearest first. Inside is where all three edge values are >= 0:\n") +

@@ -1,5 +1,7 @@
 #include "trace_json.hpp"
 
+#include "trace_text.hpp"
+
 namespace velum_app {
 namespace {
 
@@ -74,8 +76,9 @@ Json fragment_json(const CoveringFragment& fragment) {
                      {"value", edge.value}});
   }
   return {{"triangle", fragment.primitive},
+          {"kind", kind_name(fragment.place.kind)},
           {"object", fragment.place.instance},
-          {"object_triangle", fragment.place.triangle},
+          {std::string("object_") + kind_name(fragment.place.kind), fragment.place.index},
           {"piece", fragment.piece},
           {"pieces", fragment.pieces},
           {"corners", corners_json(fragment.triangle.vertices)},
@@ -134,7 +137,7 @@ Json json_of(const TriangleTrace& trace) {
   for (const ScreenTriangle& piece : trace.pieces) pieces.push_back(corners_json(piece.vertices));
   return {{"triangle", trace.primitive},
           {"object", trace.place.instance},
-          {"object_triangle", trace.place.triangle},
+          {"object_triangle", trace.place.index},
           {"vertices", vertices},
           {"determinant", trace.assembled.determinant},
           {"mirrored", trace.mirrored},

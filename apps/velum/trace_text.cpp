@@ -50,10 +50,22 @@ std::string outcode_text(Outcode code) {
   return bits_text(code) + (code == 0 ? ": inside" : ": outside " + plane_names(code));
 }
 
+const char* kind_name(PrimitiveKind kind) {
+  switch (kind) {
+    case PrimitiveKind::triangle:
+      return "triangle";
+    case PrimitiveKind::segment:
+      return "segment";
+    case PrimitiveKind::point:
+      return "point";
+  }
+  return "";
+}
+
 std::string place_text(const Scene& scene, const PrimitivePlace& place) {
   const std::string& name = scene.instances()[place.instance].name;
-  return "object " + std::to_string(place.instance) + (name.empty() ? "" : " \"" + name + "\"") +
-         ", its triangle " + std::to_string(place.triangle);
+  return "object " + std::to_string(place.instance) + (name.empty() ? "" : " \"" + name + "\"") + ", its " +
+         kind_name(place.kind) + " " + std::to_string(place.index);
 }
 
 }  // namespace velum_app

@@ -26,6 +26,8 @@ std::string outcode_text(velum::Outcode code);
 /// "in front, right"; empty for none.
 std::string plane_names(velum::Outcode code);
 
+/// "triangle", "segment" or "point"
+const char* kind_name(velum::PrimitiveKind kind);
 /// `object 0 "house", its triangle 3`
 std::string place_text(const velum::Scene& scene, const velum::PrimitivePlace& place);
 

@@ -8,19 +8,24 @@ namespace velum {
 /// Units: things counted (no times).
 struct Counters {
   std::uint64_t instances = 0;
-  std::uint64_t vertices = 0;            ///< vertices transformed, counted once per instance
-  std::uint64_t triangles = 0;           ///< triangles that entered the pipeline
-  std::uint64_t not_finite = 0;          ///< skipped: a vertex is NaN or infinite after the transform
-  std::uint64_t back_facing = 0;         ///< triangles that face away (removed only when culled)
-  std::uint64_t edge_on = 0;             ///< homogeneous determinant exactly 0: count as front-facing
-  std::uint64_t culled = 0;              ///< removed by the facing test
+  std::uint64_t vertices = 0;          ///< vertices transformed, counted once per instance
+  std::uint64_t triangles = 0;         ///< triangles that entered the pipeline
+  std::uint64_t segments = 0;          ///< segments that entered the pipeline
+  std::uint64_t segments_clipped = 0;  ///< cut by at least one plane, something left
+  std::uint64_t segments_outside = 0;  ///< nothing of it inside the view volume
+  std::uint64_t points = 0;            ///< points that entered the pipeline
+  std::uint64_t points_outside = 0;    ///< not inside the view volume
+  std::uint64_t not_finite = 0;   ///< primitives skipped: a vertex is NaN or infinite after the transform
+  std::uint64_t back_facing = 0;  ///< triangles that face away (removed only when culled)
+  std::uint64_t edge_on = 0;      ///< homogeneous determinant exactly 0: count as front-facing
+  std::uint64_t culled = 0;       ///< removed by the facing test
   std::uint64_t trivially_accepted = 0;  ///< OR of the outcodes is 0
   std::uint64_t trivially_rejected = 0;  ///< AND of the outcodes is not 0
   std::uint64_t clipped = 0;             ///< cut by at least one plane, something left
   std::uint64_t clipped_away = 0;        ///< neither accepted nor rejected, but nothing left
   std::uint64_t outside[6] = {};         ///< triangles wholly outside plane i (bit i of the outcode)
   std::uint64_t cut_by[6] = {};          ///< triangles cut by plane i
-  std::uint64_t screen_triangles = 0;    ///< pieces that reached the raster
+  std::uint64_t screen_triangles = 0;    ///< pieces that reached the raster; two for a segment or point
   std::uint64_t zero_area = 0;           ///< pieces without area on the pixel grid
   std::uint64_t reversed = 0;            ///< slivers that snapping turned over
   std::uint64_t pixels_tested = 0;       ///< pixel centres looked at: zbuffer: in boxes; scanline: in spans

@@ -168,7 +168,7 @@ class Sheet {
     canvas_.text({margin_left, 16}, title, 2, sought);
     double y = margin_top + shown_.height * cell_ + 12;
     if (pixel_.fragments.empty())
-      canvas_.text({margin_left, y}, "background: no triangle covers the centre", 2, ink);
+      canvas_.text({margin_left, y}, "background: nothing covers the centre", 2, ink);
     for (std::size_t i = 0; i < pixel_.fragments.size(); ++i, y += legend_line) {
       if (i == legend_lines) {
         const std::size_t more = pixel_.fragments.size() - legend_lines;

@@ -4,6 +4,7 @@
 
 #include "../base/error.hpp"
 #include "../base/machine.hpp"
+#include "../visibility/screen_segment.hpp"
 
 namespace velum {
 namespace {
@@ -14,6 +15,12 @@ std::string size_text(int width, int height) {
 
 std::string mebibytes(std::uint64_t bytes) {
   return std::to_string((bytes + 1048575) / 1048576) + " MiB";
+}
+
+void check_width(float width, const char* name) {
+  if (width >= 1.0f && width <= widest_line) return;
+  throw Error(ErrorKind::usage, std::to_string(width) + " pixels cannot be drawn", name,
+              "give a number from 1 to " + std::to_string(static_cast<int>(widest_line)));
 }
 
 template <typename T>
@@ -68,6 +75,11 @@ void check_method(const RenderSettings& settings) {
     throw Error(ErrorKind::usage, "only the scanline method interpolates depth along edges and spans",
                 "z-interpolation", "choose scanline for visibility, or plane for the interpolation");
   }
+}
+
+void check_widths(const RenderSettings& settings) {
+  check_width(settings.line_width, "line width");
+  check_width(settings.point_size, "point size");
 }
 
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings) {

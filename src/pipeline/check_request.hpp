@@ -21,6 +21,9 @@ void check_pixel(const Rect& rect, int x, int y);
 /// @throws Error (usage) for a depth interpolation that the visibility method does not have
 void check_method(const RenderSettings& settings);
 
+/// @throws Error (usage) for a line width or point size out of range
+void check_widths(const RenderSettings& settings);
+
 /// The composite for this picture. @throws Error (usage) if the camera insists on another aspect (half a
 /// pixel is let pass)
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings);

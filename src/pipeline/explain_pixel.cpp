@@ -5,6 +5,7 @@
 
 #include "../base/floating_point.hpp"
 #include "check_request.hpp"
+#include "line_stages.hpp"
 
 namespace velum {
 namespace {
@@ -62,6 +63,28 @@ void collect(std::span<const ScreenTriangle> pieces, const PrimitivePlace& place
   }
 }
 
+/// Adds the fragments of an instance's segments and points.
+void collect_lines(const Scene& scene, std::uint32_t index, const ClipVertices& vertices,
+                   const RenderSettings& settings, PixelProbe& probe, PixelExplanation& pixel) {
+  const Mesh& mesh = scene.meshes()[scene.instances()[index].mesh];
+  const Viewport viewport{settings.width, settings.height};
+  std::vector<ScreenTriangle> pieces;
+  for (std::uint32_t i = 0; i < mesh.segments.size(); ++i) {
+    const PrimitivePlace place{index, i, PrimitiveKind::segment};
+    pieces.clear();
+    set_up_segment(vertices, mesh.segments[i], scene.primitive(place), settings.line_width, viewport,
+                   pixel.counters, pieces);
+    collect(pieces, place, probe, pixel);
+  }
+  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+    const PrimitivePlace place{index, i, PrimitiveKind::point};
+    pieces.clear();
+    set_up_point(vertices, mesh.points[i], scene.primitive(place), settings.point_size, viewport,
+                 pixel.counters, pieces);
+    collect(pieces, place, probe, pixel);
+  }
+}
+
 void collect_instance(const Scene& scene, std::uint32_t index, const ViewingTransform& viewing,
                       const RenderSettings& settings, PixelExplanation& pixel) {
   const Instance& instance = scene.instances()[index];
@@ -80,6 +103,7 @@ void collect_instance(const Scene& scene, std::uint32_t index, const ViewingTran
            pieces);
     collect(pieces, {index, i}, probe, pixel);
   }
+  collect_lines(scene, index, vertices, settings, probe, pixel);
 }
 
 /// Puts the fragments in the order in which they are seen and says why each stands where it does.
@@ -110,6 +134,7 @@ PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, const R
   whole.crop.reset();
   check_pixel(requested_rect(whole), x, y);
   check_method(settings);
+  check_widths(settings);
   const ViewingTransform viewing = requested_view(camera, settings);
   PixelExplanation pixel;
   pixel.x = x;
@@ -119,7 +144,7 @@ PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, const R
     collect_instance(scene, i, viewing, settings, pixel);
   }
   order_by_depth(pixel.fragments);
-  if (!pixel.fragments.empty()) {
+  if (!pixel.fragments.empty() && pixel.fragments[0].place.kind == PrimitiveKind::triangle) {
     pixel.winner = trace_triangle(scene, camera, settings, pixel.fragments[0].primitive);
   }
   return pixel;

@@ -28,12 +28,13 @@ enum class FragmentOutcome {
   same_triangle,  ///< the one seen, met again: two pieces of a reversed sliver overlap here
 };
 
-/// A triangle's piece that covers the pixel's centre.
+/// A piece of a triangle (or one half of a segment's or point's parallelogram) that covers the pixel's
+/// centre.
 struct CoveringFragment {
   std::uint32_t primitive = 0;
   PrimitivePlace place;
   int piece = 0;   ///< which of the triangle's pieces, from 0
-  int pieces = 1;  ///< into how many it was cut
+  int pieces = 1;  ///< into how many it was cut; 2 of a segment or point
   /// The piece, its corners in the order in which the raster walks them: clockwise as seen on the picture.
   ScreenTriangle triangle;
   bool is_turned = false;             ///< two corners were swapped for that
@@ -51,7 +52,7 @@ struct PixelExplanation {
   int y = 0;
   SnappedVertex centre;                     ///< 1/256 pixel
   std::vector<CoveringFragment> fragments;  ///< nearest first: the order in which depth peeling shows them
-  std::optional<TriangleTrace> winner;      ///< the way of the triangle that is seen; none on the background
+  std::optional<TriangleTrace> winner;      ///< the way of the triangle that is seen, if one is
   Counters counters;                        ///< of the geometry stages, for the whole scene
 };
 

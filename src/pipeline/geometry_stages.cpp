@@ -65,10 +65,7 @@ void transform_vertices(std::span<const glm::vec3> positions, const glm::dmat4& 
   out.positions.resize(positions.size());
   out.outcodes.resize(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const glm::dvec3 p(positions[i]);
-    const glm::dvec4 clip =
-        ((clip_from_object[0] * p.x + clip_from_object[1] * p.y) + clip_from_object[2] * p.z) +
-        clip_from_object[3];
+    const glm::dvec4 clip = clip_position(clip_from_object, positions[i]);
     out.positions[i] = clip;
     out.outcodes[i] = outcode(clip);
   }

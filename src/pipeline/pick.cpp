@@ -4,8 +4,10 @@
 #include "../base/error.hpp"
 #include "../base/floating_point.hpp"
 #include "../image/visibility_buffer.hpp"
+#include "../shading/line_view.hpp"
 #include "../shading/triangle_view.hpp"
 #include "check_request.hpp"
+#include "line_stages.hpp"
 #include "render.hpp"
 
 namespace velum {
@@ -25,14 +27,24 @@ PickResult result_at(const Scene& scene, const Camera& camera, const RenderSetti
   const PrimitivePlace place = scene.place(primitive);
   const glm::dmat4 clip_from_object =
       viewing.clip_from_object(scene.instances()[place.instance].world_from_object);
-  const TriangleView view =
-      view_triangle(scene, place, clip_from_object, viewer_of(camera, viewing, settings));
-  const SurfacePoint point = surface_point(view, x, y, 1.0f - depth);
+  const Viewer viewer = viewer_of(camera, viewing, settings);
   PickResult result;
+  SurfacePoint point;
+  if (place.kind == PrimitiveKind::triangle) {
+    const TriangleView view = view_triangle(scene, place, clip_from_object, viewer);
+    point = surface_point(view, x, y, 1.0f - depth);
+    result.barycentrics = barycentrics_at(view, x + 0.5, y + 0.5).clamped;
+  } else {
+    const bool x_major = is_x_major(scene, place, clip_from_object, viewer.viewport);
+    const LineView view = view_line(scene, place, clip_from_object, viewer, x_major);
+    point = surface_point(view, x, y, 1.0f - depth);
+    const double t = parameter_at(view, x, y);
+    result.barycentrics = {1.0 - t, t, 0.0};
+  }
   result.object = place.instance;
-  result.triangle = place.triangle;
+  result.kind = place.kind;
+  result.index = place.index;
   result.primitive = primitive;
-  result.barycentrics = barycentrics_at(view, x + 0.5, y + 0.5).clamped;
   result.position = point.position;
   result.metric_depth = point.metric_depth;
   result.depth = depth;

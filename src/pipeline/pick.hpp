@@ -14,11 +14,12 @@ namespace velum {
 
 /// What is seen at a pixel's centre.
 struct PickResult {
-  std::uint32_t object = 0;      ///< instance
-  std::uint32_t triangle = 0;    ///< in the instance's mesh
+  std::uint32_t object = 0;  ///< instance
+  PrimitiveKind kind = PrimitiveKind::triangle;
+  std::uint32_t index = 0;       ///< among the triangles, segments or points of the instance's mesh
   std::uint32_t primitive = 0;   ///< in the scene
-  glm::dvec3 barycentrics{0.0};  ///< perspective-correct, of the mesh triangle's corners; ≥ 0, sum 1
-  glm::dvec3 position{0.0};      ///< world space, on the triangle
+  glm::dvec3 barycentrics{0.0};  ///< perspective-correct, of the primitive's vertices; ≥ 0, sum 1
+  glm::dvec3 position{0.0};      ///< world space, on the primitive
   double metric_depth = 0.0;     ///< distance from the camera plane along the look vector, world units
   float depth = 1.0f;            ///< canonical, as Picture::depth
 };

@@ -6,8 +6,10 @@
 #include "../base/error.hpp"
 #include "../base/floating_point.hpp"
 #include "check_request.hpp"
+#include "line_stages.hpp"
 #include "shade_stage.hpp"
 #include "stages.hpp"
+#include "wireframe_stage.hpp"
 
 namespace velum {
 
@@ -17,6 +19,7 @@ struct Renderer::Buffers {
   std::vector<ScreenTriangle> screen_triangles;
   ScanlineTables scanline;
   VisibilityBuffer visibility;
+  WireframeBuffers wireframe;
   LayerBuffers layers;
   Picture picture;
 };
@@ -51,20 +54,45 @@ struct Frame {
   const VisibilityBuffer* previous = nullptr;  ///< depth peeling: the layer in front
   double progress_from = 0.0;
   double progress_to = 0.8;
+  const Viewport viewport{settings.width, settings.height};
 
-  void draw_batch(const Mesh& mesh, std::uint32_t first, std::uint32_t last, std::uint32_t first_primitive,
-                  bool mirrored) {
-    const Viewport viewport{settings.width, settings.height};
-    buffers.screen_triangles.clear();
-    for (std::uint32_t i = first; i < last; ++i) {
+  /// Hands `count` primitives to the raster, batch by batch.
+  /// @param set_up_one  appends the screen triangles of primitive i
+  template <typename SetUp>
+  void draw(std::size_t count, std::uint32_t first_primitive, const SetUp& set_up_one) {
+    for (std::size_t first = 0, last = 0; first < count; first = last) {
+      last = first + std::min<std::size_t>(batch_size, count - first);
+      buffers.screen_triangles.clear();
+      for (std::size_t i = first; i < last; ++i) {
+        set_up_one(i, first_primitive + static_cast<std::uint32_t>(i), buffers.screen_triangles);
+      }
+      const RasterTarget target{buffers.visibility, rect, previous, settings.depth_format};
+      add(rasterize(buffers.screen_triangles, target, settings, buffers.scanline), counters);
+      const double drawn = (first_primitive + static_cast<double>(last)) / scene.primitive_count();
+      report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
+    }
+  }
+
+  void draw_triangles(const Mesh& mesh, std::uint32_t first_primitive, bool mirrored) {
+    draw(mesh.triangles.size(), first_primitive, [&](std::size_t i, std::uint32_t primitive, auto& out) {
       const AssembledTriangle triangle =
           assemble(buffers.vertices, mesh.triangles[i], mirrored, settings.cull, counters);
       if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
-        set_up(triangle, first_primitive + i, viewport, counters, buffers.screen_triangles);
+        set_up(triangle, primitive, viewport, counters, out);
       }
-    }
-    const RasterTarget target{buffers.visibility, rect, previous, settings.depth_format};
-    add(rasterize(buffers.screen_triangles, target, settings, buffers.scanline), counters);
+    });
+  }
+
+  void draw_lines(const Mesh& mesh, std::uint32_t first_primitive) {
+    first_primitive += static_cast<std::uint32_t>(mesh.triangles.size());
+    draw(mesh.segments.size(), first_primitive, [&](std::size_t i, std::uint32_t primitive, auto& out) {
+      set_up_segment(buffers.vertices, mesh.segments[i], primitive, settings.line_width, viewport, counters,
+                     out);
+    });
+    first_primitive += static_cast<std::uint32_t>(mesh.segments.size());
+    draw(mesh.points.size(), first_primitive, [&](std::size_t i, std::uint32_t primitive, auto& out) {
+      set_up_point(buffers.vertices, mesh.points[i], primitive, settings.point_size, viewport, counters, out);
+    });
   }
 
   void draw_instance(std::uint32_t index) {
@@ -74,15 +102,8 @@ struct Frame {
                        buffers.vertices);
     ++counters.instances;
     counters.vertices += mesh.positions.size();
-    const std::uint32_t first_primitive = scene.first_primitive(index);
-    const bool mirrored = is_mirroring(instance.world_from_object);
-    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    for (std::uint32_t first = 0, last = 0; last < count; first = last) {
-      last = first + std::min(batch_size, count - first);
-      draw_batch(mesh, first, last, first_primitive, mirrored);
-      const double drawn = static_cast<double>(first_primitive + last) / scene.primitive_count();
-      report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
-    }
+    draw_triangles(mesh, scene.first_primitive(index), is_mirroring(instance.world_from_object));
+    draw_lines(mesh, scene.first_primitive(index));
   }
 
   void draw_scene() {
@@ -96,6 +117,11 @@ constexpr std::uint64_t visibility_bytes = sizeof(float) + sizeof(std::uint32_t)
 /// Bytes of all of a Picture's outputs per pixel.
 constexpr std::uint64_t picture_bytes =
     sizeof(Rgba8) + 2 * sizeof(float) + sizeof(glm::vec3) + 2 * sizeof(std::uint32_t);
+
+/// Bytes of buffers per pixel.
+std::uint64_t buffer_bytes(const RenderSettings& settings) {
+  return settings.wireframe ? 2 * visibility_bytes : visibility_bytes;
+}
 
 std::uint64_t pixel_count(const Rect& rect) {
   return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
@@ -120,11 +146,17 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   const FloatingPointScope floating_point;
   const Rect rect = requested_rect(settings);
   check_method(settings);
+  check_widths(settings);
   const ViewingTransform viewing = requested_view(camera, settings);
   check_target(target, rect);
   Counters counters;
   Frame{scene, settings, viewing, rect, buffers, counters}.draw_scene();
-  ShadeStage stage({scene, camera, viewing, settings, rect}, target, buffers.layers);
+  ShadeInput input{scene, camera, viewing, settings, rect};
+  if (settings.wireframe) {
+    draw_wireframe(scene, viewing, settings, rect, buffers.wireframe);
+    input.wireframe = &buffers.wireframe.nearest;
+  }
+  ShadeStage stage(input, target, buffers.layers);
   stage.shade_first_layer(buffers.visibility, counters);
   while (stage.open_pixels() > 0 && (settings.layers == 0 || counters.layers < settings.layers)) {
     exhaust_closed_pixels(buffers);
@@ -168,7 +200,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Picture& Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
   const Rect rect = requested_rect(settings);
-  check_memory(pixel_count(rect) * (visibility_bytes + picture_bytes), settings);
+  check_memory(pixel_count(rect) * (buffer_bytes(settings) + picture_bytes), settings);
   const PictureTarget target = target_of(buffers_->picture, rect);
   buffers_->picture.counters = render_frame(*buffers_, scene, camera, settings, target);
   return buffers_->picture;
@@ -176,13 +208,13 @@ const Picture& Renderer::render(const Scene& scene, const Camera& camera, const 
 
 Counters Renderer::render_into(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                                const PictureTarget& target) {
-  check_memory(pixel_count(requested_rect(settings)) * visibility_bytes, settings);
+  check_memory(pixel_count(requested_rect(settings)) * buffer_bytes(settings), settings);
   return render_frame(*buffers_, scene, camera, settings, target);
 }
 
 Picture render(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
   const Rect rect = requested_rect(settings);
-  check_memory(pixel_count(rect) * (visibility_bytes + picture_bytes), settings);
+  check_memory(pixel_count(rect) * (buffer_bytes(settings) + picture_bytes), settings);
   Picture picture;
   const PictureTarget target = target_of(picture, rect);
   picture.counters = Renderer().render_into(scene, camera, settings, target);

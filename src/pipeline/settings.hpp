@@ -36,7 +36,9 @@ struct RenderSettings {
   Shader shader{};  ///< custom shading; replaces `shading` where set
   TextureFilter texture_filter = TextureFilter::trilinear;
   Cull cull = Cull::none;
-  bool wireframe = false;      ///< edges of the visible triangles over the picture
+  float line_width = 1.0f;     ///< of segments and of the wireframe, pixels, 1 … 256
+  float point_size = 3.0f;     ///< side of the square that a point is drawn as, pixels, 1 … 256
+  bool wireframe = false;      ///< edges of the triangles over the picture, hidden ones removed
   std::uint64_t layers = 0;    ///< most translucent layers blended per pixel; 0: until exhausted
   std::optional<Rect> crop{};  ///< render only these pixels of the picture; equals the same part of the whole
   std::uint64_t memory_ceiling = 0;  ///< bytes for outputs and buffers; 0: half of the machine's memory

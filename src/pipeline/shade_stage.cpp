@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "../shading/wireframe.hpp"
+#include "line_stages.hpp"
+#include "wireframe_stage.hpp"
 
 namespace velum {
 namespace {
@@ -70,7 +72,7 @@ void ShadeStage::shade_next_layer(const VisibilityBuffer& buffer, Counters& coun
         close(x, y);
         continue;
       }
-      set_triangle(primitive);
+      set_primitive(primitive);
       add_behind(x, y, colour_of(surface(x, y, buffer.reversed_depth.at(x, y))));
       ++counters.pixels_shaded;
     }
@@ -95,11 +97,15 @@ void ShadeStage::finish() {
 }
 
 SurfacePoint ShadeStage::surface(int x, int y, float reversed_depth) const {
-  return surface_point(triangle_.view, x + input_.rect.left, y + input_.rect.top, reversed_depth);
+  const int column = x + input_.rect.left;
+  const int row = y + input_.rect.top;
+  if (visible_.kind != PrimitiveKind::triangle)
+    return surface_point(visible_.line, column, row, reversed_depth);
+  return surface_point(visible_.triangle, column, row, reversed_depth);
 }
 
 void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float reversed_depth) {
-  set_triangle(primitive);
+  set_primitive(primitive);
   const SurfacePoint point = surface(x, y, reversed_depth);
   if (target_.depth.data) target_.depth.at(x, y) = point.depth;
   if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
@@ -107,7 +113,8 @@ void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float revers
   if (target_.object_id.data) target_.object_id.at(x, y) = point.object;
   if (target_.triangle_id.data) target_.triangle_id.at(x, y) = primitive;
   if (!target_.colour.data) return;
-  const glm::vec4 colour = colour_of(point);
+  glm::vec4 colour = colour_of(point);
+  if (is_wire(x, y, reversed_depth)) colour = wireframe_ink(colour);
   if (colour.w >= 1.0f) {
     target_.colour.at(x, y) = srgb_from_linear(colour);
   } else {
@@ -117,7 +124,12 @@ void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float revers
 }
 
 void ShadeStage::write_background(int x, int y) {
-  if (target_.colour.data) target_.colour.at(x, y) = input_.settings.background;
+  const bool is_wire = input_.wireframe && input_.wireframe->primitive.at(x, y) != no_primitive;
+  const Rgba8 background = input_.settings.background;
+  if (target_.colour.data) {
+    target_.colour.at(x, y) =
+        is_wire ? srgb_from_linear(wireframe_ink(linear_from_srgb(background))) : background;
+  }
   if (target_.depth.data) target_.depth.at(x, y) = 1.0f;
   if (target_.metric_depth.data) target_.metric_depth.at(x, y) = std::numeric_limits<float>::infinity();
   if (target_.normal.data) target_.normal.at(x, y) = glm::vec3(0.0f);
@@ -145,20 +157,43 @@ void ShadeStage::add_behind(int x, int y, const glm::vec4& colour) {
   if (alpha >= 1.0f) close(x, y);
 }
 
-void ShadeStage::set_triangle(std::uint32_t primitive) {
-  if (triangle_.primitive == primitive) return;
+void ShadeStage::set_primitive(std::uint32_t primitive) {
+  if (visible_.primitive == primitive) return;
   const PrimitivePlace place = input_.scene.place(primitive);
-  triangle_.primitive = primitive;
-  triangle_.view = view_triangle(input_.scene, place, clip_from_object_[place.instance], viewer_);
-  triangle_.lit = light_triangle(input_.settings.shading, lighting_, triangle_.view);
+  visible_.primitive = primitive;
+  visible_.kind = place.kind;
+  if (place.kind == PrimitiveKind::triangle)
+    set_triangle(place);
+  else
+    set_line(place);
+}
+
+void ShadeStage::set_triangle(const PrimitivePlace& place) {
+  TriangleView& view = visible_.triangle;
+  view = view_triangle(input_.scene, place, clip_from_object_[place.instance], viewer_);
+  visible_.lit = light_triangle(input_.settings.shading, lighting_, view);
+  if (input_.wireframe) visible_.depth = depth_plane(view.clip, view.determinant, viewer_.viewport);
+}
+
+void ShadeStage::set_line(const PrimitivePlace& place) {
+  const glm::dmat4& clip_from_object = clip_from_object_[place.instance];
+  const bool x_major = is_x_major(input_.scene, place, clip_from_object, viewer_.viewport);
+  visible_.line = view_line(input_.scene, place, clip_from_object, viewer_, x_major);
 }
 
 glm::vec4 ShadeStage::colour_of(const SurfacePoint& point) const {
   const RenderSettings& settings = input_.settings;
-  const glm::vec4 colour = settings.shader ? settings.shader(point)
-                                           : shade(settings.shading, lighting_, triangle_.lit, point, range_);
-  if (!settings.wireframe) return colour;
-  return over_wireframe(colour, edge_distance(triangle_.view, point.x + 0.5, point.y + 0.5));
+  if (settings.shader) return settings.shader(point);
+  if (point.kind != PrimitiveKind::triangle) return shade_line(settings.shading, lighting_, point, range_);
+  return shade(settings.shading, lighting_, visible_.lit, point, range_);
+}
+
+bool ShadeStage::is_wire(int x, int y, float reversed_depth) const {
+  if (!input_.wireframe || input_.wireframe->primitive.at(x, y) == no_primitive) return false;
+  const float edge_r = input_.wireframe->reversed_depth.at(x, y);
+  if (visible_.kind != PrimitiveKind::triangle) return edge_r >= reversed_depth;
+  return is_edge_seen(visible_.depth, edge_r, x + input_.rect.left, y + input_.rect.top,
+                      input_.settings.line_width);
 }
 
 }  // namespace velum

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shading/line_view.hpp"
 #include "../shading/shade.hpp"
 #include "../shading/triangle_view.hpp"
 #include "stages.hpp"
@@ -29,7 +30,8 @@ struct ShadeInput {
   const Camera& camera;
   const ViewingTransform& viewing;
   const RenderSettings& settings;
-  Rect rect;  ///< the part of the picture that the buffer holds
+  Rect rect;                                    ///< the part of the picture that the buffer holds
+  const VisibilityBuffer* wireframe = nullptr;  ///< the nearest edges, drawn over the first layer
 };
 
 /// Evaluates each visible fragment once and writes every output that is wanted. Depth, ids and normals are
@@ -47,11 +49,14 @@ class ShadeStage {
   void finish();
 
  private:
-  /// A visible triangle as the shading needs it; kept while neighbouring pixels show the same one.
-  struct VisibleTriangle {
+  /// A visible primitive as the shading needs it; kept while neighbouring pixels show the same one.
+  struct VisiblePrimitive {
     std::uint32_t primitive = no_primitive;
-    TriangleView view;
+    PrimitiveKind kind = PrimitiveKind::triangle;
+    TriangleView triangle;  ///< if it is one
     LitTriangle lit;
+    DepthPlane depth;  ///< of a triangle under a wireframe
+    LineView line;     ///< if it is a segment or a point
   };
 
   void shade_first(int x, int y, std::uint32_t primitive, float reversed_depth);
@@ -59,9 +64,12 @@ class ShadeStage {
   void open(int x, int y);
   void close(int x, int y);
   void add_behind(int x, int y, const glm::vec4& colour);
-  void set_triangle(std::uint32_t primitive);
+  void set_primitive(std::uint32_t primitive);
+  void set_triangle(const PrimitivePlace& place);
+  void set_line(const PrimitivePlace& place);
   SurfacePoint surface(int x, int y, float reversed_depth) const;
   glm::vec4 colour_of(const SurfacePoint& point) const;
+  bool is_wire(int x, int y, float reversed_depth) const;
 
   const ShadeInput input_;
   const PictureTarget target_;
@@ -70,7 +78,7 @@ class ShadeStage {
   MetricRange range_;
   Lighting lighting_;
   std::vector<glm::dmat4> clip_from_object_;
-  VisibleTriangle triangle_;
+  VisiblePrimitive visible_;
   std::uint64_t open_pixels_ = 0;
 };
 

@@ -40,7 +40,14 @@ struct ClipVertices {
   std::vector<Outcode> outcodes;
 };
 
-/// Transforms every vertex once, in double: clip = ((m0·x + m1·y) + m2·z) + m3.
+/// One vertex, in double and one written-down order: clip = ((m0·x + m1·y) + m2·z) + m3.
+inline glm::dvec4 clip_position(const glm::dmat4& clip_from_object, const glm::vec3& position) {
+  const glm::dvec3 p(position);
+  return ((clip_from_object[0] * p.x + clip_from_object[1] * p.y) + clip_from_object[2] * p.z) +
+         clip_from_object[3];
+}
+
+/// Transforms every vertex once, see clip_position().
 /// @param out  overwritten; its memory is kept
 void transform_vertices(std::span<const glm::vec3> positions, const glm::dmat4& clip_from_object,
                         ClipVertices& out);

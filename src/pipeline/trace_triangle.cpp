@@ -1,6 +1,7 @@
 #include "trace_triangle.hpp"
 
 #include "../base/contract.hpp"
+#include "../base/error.hpp"
 #include "../base/floating_point.hpp"
 #include "check_request.hpp"
 
@@ -60,7 +61,11 @@ TriangleTrace trace_triangle(const Scene& scene, const Camera& camera, const Ren
   trace.place = scene.place(primitive);
   const Instance& instance = scene.instances()[trace.place.instance];
   const Mesh& mesh = scene.meshes()[instance.mesh];
-  const glm::uvec3 indices = mesh.triangles[trace.place.triangle];
+  if (trace.place.kind != PrimitiveKind::triangle) {
+    throw Error(ErrorKind::usage, "primitive " + std::to_string(primitive) + " is a segment or a point",
+                "trace_triangle", "give the id of a triangle");
+  }
+  const glm::uvec3 indices = mesh.triangles[trace.place.index];
   trace.mirrored = is_mirroring(instance.world_from_object);
 
   std::array<glm::vec3, 3> positions;

@@ -48,7 +48,8 @@ struct TriangleTrace {
 /// Follows one triangle through every stage.
 /// @param settings  size and culling count; a crop does not
 /// @pre primitive < scene.primitive_count()
-/// @throws Error (usage) as render() for sizes and cameras that cannot be used
+/// @throws Error (usage) for the id of a segment or point, and as render() for sizes and cameras that cannot
+/// be used
 TriangleTrace trace_triangle(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                              std::uint32_t primitive);
 

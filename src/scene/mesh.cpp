@@ -27,6 +27,15 @@ void require_length(const Mesh& mesh, const Array<T>& array, const char* array_n
               place_of(mesh), "leave it empty or give one element per position");
 }
 
+void require_index(const Mesh& mesh, const char* array_name, std::size_t element, std::uint32_t index) {
+  if (index < mesh.positions.size()) return;
+  throw Error(ErrorKind::usage,
+              std::string(array_name) + "[" + std::to_string(element) + "] refers to vertex " +
+                  std::to_string(index) + ", but there are " + std::to_string(mesh.positions.size()) +
+                  " positions",
+              place_of(mesh), "vertex indices count from 0");
+}
+
 /// The triangle's normal in double, twice its area long; zero where a vertex is not finite.
 glm::dvec3 area_normal(const Mesh& mesh, const glm::uvec3& triangle) {
   const glm::vec3& a = mesh.positions[triangle.x];
@@ -70,15 +79,12 @@ void validate(const Mesh& mesh) {
   require_length(mesh, mesh.texture_coordinates, "texture_coordinates");
   require_length(mesh, mesh.colours, "colours");
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (glm::length_t corner = 0; corner < 3; ++corner) {
-      const std::uint32_t index = mesh.triangles[i][corner];
-      if (index < mesh.positions.size()) continue;
-      throw Error(ErrorKind::usage,
-                  "triangles[" + std::to_string(i) + "] refers to vertex " + std::to_string(index) +
-                      ", but there are " + std::to_string(mesh.positions.size()) + " positions",
-                  place_of(mesh), "vertex indices count from 0");
-    }
+    for (glm::length_t c = 0; c < 3; ++c) require_index(mesh, "triangles", i, mesh.triangles[i][c]);
   }
+  for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
+    for (glm::length_t c = 0; c < 2; ++c) require_index(mesh, "segments", i, mesh.segments[i][c]);
+  }
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) require_index(mesh, "points", i, mesh.points[i]);
 }
 
 std::vector<glm::vec3> smooth_normals(const Mesh& mesh) {
@@ -116,7 +122,9 @@ Mesh with_flat_normals(const Mesh& mesh) {
           std::move(normals),
           unshared(mesh.texture_coordinates, mesh.triangles),
           unshared(mesh.colours, mesh.triangles),
-          std::move(triangles)};
+          std::move(triangles),
+          {},
+          {}};
 }
 
 }  // namespace velum

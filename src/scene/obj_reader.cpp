@@ -1,5 +1,6 @@
 #include "obj_reader.hpp"
 
+#include <numeric>
 #include <set>
 
 #include "../base/error.hpp"
@@ -28,7 +29,7 @@ class ObjBuilder {
   Scene build();
 
  private:
-  // Its triangles are those from first_triangle up to the next run's.
+  // A run's triangles.
   struct Piece {
     std::size_t first_triangle;
     std::size_t end_triangle;
@@ -43,7 +44,9 @@ class ObjBuilder {
   void append_flat_normals();
   glm::uvec3 key(std::size_t triangle, int corner) const;
   Mesh mesh(const Piece& piece, std::string mesh_name) const;
-  Mesh point_cloud() const;
+  Mesh vertices_as_points() const;
+  Mesh lines(std::size_t run, std::string mesh_name) const;
+  void add(Mesh mesh, std::string_view material_name, Scene& scene);
   std::uint32_t material(std::string_view material_name, Scene& scene);
 
   ObjStatements in_;
@@ -115,6 +118,7 @@ void ObjBuilder::triangulate() {
       triangles_[t] += static_cast<std::uint32_t>(first);
     first += polygon.corner_count;
   }
+  for (; run < in_.runs.size(); ++run) pieces_.push_back({triangles_.size(), 0});
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     pieces_[i].end_triangle = i + 1 < pieces_.size() ? pieces_[i + 1].first_triangle : triangles_.size();
   }
@@ -209,11 +213,44 @@ Mesh ObjBuilder::mesh(const Piece& piece, std::string mesh_name) const {
   return result;
 }
 
-Mesh ObjBuilder::point_cloud() const {
+// The segments and points of a run: a mesh of their own, without normals, so that they are not lit.
+Mesh ObjBuilder::lines(std::size_t run, std::string mesh_name) const {
+  const bool is_last = run + 1 == in_.runs.size();
+  const std::size_t last_segment = is_last ? in_.segments.size() : in_.runs[run + 1].first_segment;
+  const std::size_t last_point = is_last ? in_.points.size() : in_.runs[run + 1].first_point;
+  KeyTable vertices;
+  const auto number_of = [&](std::uint32_t position) { return vertices.number_of({position, 0u, 0u}); };
+  std::vector<glm::uvec2> segments;
+  std::vector<std::uint32_t> points;
+  for (std::size_t i = in_.runs[run].first_segment; i < last_segment; ++i) {
+    const std::uint32_t from = number_of(in_.segments[i].x);
+    segments.emplace_back(from, number_of(in_.segments[i].y));
+  }
+  for (std::size_t i = in_.runs[run].first_point; i < last_point; ++i)
+    points.push_back(number_of(in_.points[i]));
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec4> colours;
+  for (const glm::uvec3& key : vertices.keys()) {
+    positions.push_back(in_.positions[key.x]);
+    if (!in_.colours.empty()) colours.push_back(in_.colours[key.x]);
+  }
+  Mesh result;
+  result.name = std::move(mesh_name);
+  result.positions = std::move(positions);
+  if (!colours.empty()) result.colours = std::move(colours);
+  result.segments = std::move(segments);
+  result.points = std::move(points);
+  return result;
+}
+
+Mesh ObjBuilder::vertices_as_points() const {
   Mesh result;
   result.name = std::filesystem::path(name_).stem().string();
   result.positions = in_.positions;
   if (!in_.colours.empty()) result.colours = in_.colours;
+  std::vector<std::uint32_t> points(in_.positions.size());
+  std::iota(points.begin(), points.end(), 0u);
+  result.points = std::move(points);
   return result;
 }
 
@@ -230,26 +267,33 @@ std::uint32_t ObjBuilder::material(std::string_view material_name, Scene& scene)
   return place->second = scene.add_material(std::move(result));
 }
 
+void ObjBuilder::add(Mesh mesh, std::string_view material_name, Scene& scene) {
+  Instance instance;
+  instance.name = mesh.name;
+  instance.mesh = scene.add_mesh(std::move(mesh));
+  instance.material = material(material_name, scene);
+  scene.add_instance(std::move(instance));
+}
+
 Scene ObjBuilder::build() {
   Scene scene;
   triangulate();
   note_positions_not_finite(in_.positions, in_.notes);
-  if (triangles_.empty()) {
-    in_.notes.push_back("the file has no faces, there is nothing to draw");
-    if (!in_.positions.empty()) scene.add(point_cloud());
-    scene.notes = std::move(in_.notes);
-    return scene;
-  }
   complete_normals();
   const std::string stem = std::filesystem::path(name_).stem().string();
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const ObjRun& run = in_.runs[i];
     const std::string object = run.object.empty() ? stem : std::string(run.object);
-    Instance instance;
-    instance.mesh = scene.add_mesh(mesh(pieces_[i], object));
-    instance.material = material(run.material, scene);
-    instance.name = object;
-    scene.add_instance(std::move(instance));
+    if (pieces_[i].first_triangle < pieces_[i].end_triangle)
+      add(mesh(pieces_[i], object), run.material, scene);
+    Mesh line_mesh = lines(i, object);
+    if (line_mesh.primitive_count() > 0) add(std::move(line_mesh), run.material, scene);
+  }
+  if (in_.positions.empty()) {
+    in_.notes.push_back("the file has no vertices, there is nothing to draw");
+  } else if (in_.runs.empty()) {
+    in_.notes.push_back("the file has no faces: its vertices are drawn as points");
+    scene.add(vertices_as_points());
   }
   scene.notes = std::move(in_.notes);
   return scene;

@@ -10,12 +10,14 @@ namespace velum {
 
 /// Reads Wavefront OBJ (Wavefront Technologies, "Advanced Visualizer Manual", appendix B1, 1995) and its MTL
 /// libraries. Consecutive polygons of one object (o) with one material become a mesh and an instance, in file
-/// order, so primitive ids follow the file; g and s are not used. Vertices are shared where position, texture
+/// order, so primitive ids follow the file; the line and point elements (l, p) among them become another one
+/// behind it, without normals; g and s are not used. Vertices are shared where position, texture
 /// coordinate and normal are the same. Colours behind a position are sRGB values 0…1, as Blender and MeshLab
 /// write them.
 ///
 /// Corners without a normal get a smooth one, over all faces of the file that share the position, or the
-/// triangle's own. Without any face the positions alone are kept. What had to be left out or assumed, a
+/// triangle's own. Without any face, line or point element every vertex is drawn as a
+/// point. What had to be left out or assumed, a
 /// missing library too, is told in Scene::notes.
 /// @param directory  where libraries are looked for; empty: they are not read
 /// @throws Error (read) with file:line

@@ -49,6 +49,8 @@ class ObjParser {
   void texture_coordinate();
   void normal();
   void face();
+  void line();
+  void point();
   void library();
   void begin_run_if_new();
   ObjCorner corner(std::string_view token);
@@ -65,7 +67,7 @@ class ObjParser {
   std::string_view object_, material_;
   std::size_t run_bytes_ = 0;
   Largest largest_position_, largest_texture_, largest_normal_;
-  std::size_t lines_ = 0, points_ = 0, small_faces_ = 0, unknown_ = 0, known_ = 0;
+  std::size_t short_lines_ = 0, small_faces_ = 0, unknown_ = 0, known_ = 0;
   std::string first_unknown_;
 };
 
@@ -92,16 +94,14 @@ void ObjParser::statement(std::string_view keyword) {
   if (keyword == "f" || keyword == "fo") return face();
   if (keyword == "vt") return texture_coordinate();
   if (keyword == "vn") return normal();
+  if (keyword == "l") return line();
+  if (keyword == "p") return point();
   if (keyword == "o")
     object_ = scanner_.rest_of_line();
   else if (keyword == "usemtl")
     material_ = scanner_.rest_of_line();
   else if (keyword == "mtllib")
     library();
-  else if (keyword == "l")
-    ++lines_;
-  else if (keyword == "p")
-    ++points_;
   else if (keyword != "g" && keyword != "s") {
     if (!is_obj_keyword(keyword)) --known_;
     if (unknown_++ == 0) first_unknown_ = quoted(keyword) + " in line " + std::to_string(scanner_.line());
@@ -159,6 +159,28 @@ void ObjParser::face() {
   out_.polygons.push_back({static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(line)});
 }
 
+// l v1[/vt1] v2[/vt2] …: a polyline. Texture coordinates are not used.
+void ObjParser::line() {
+  std::string_view token = scanner_.token();
+  if (token.empty()) return void(++short_lines_);
+  std::uint32_t from = corner(token).position;
+  token = scanner_.token();
+  if (token.empty()) return void(++short_lines_);
+  begin_run_if_new();
+  for (; !token.empty(); token = scanner_.token()) {
+    const std::uint32_t to = corner(token).position;
+    out_.segments.emplace_back(from, to);
+    from = to;
+  }
+}
+
+// p v1 v2 …
+void ObjParser::point() {
+  std::string_view token = scanner_.token();
+  if (!token.empty()) begin_run_if_new();
+  for (; !token.empty(); token = scanner_.token()) out_.points.push_back(corner(token).position);
+}
+
 // position, position/texture, position//normal or position/texture/normal
 ObjCorner ObjParser::corner(std::string_view token) {
   const char* at = token.data();
@@ -201,8 +223,9 @@ std::uint32_t ObjParser::index(const char*& first, const char* last, std::size_t
 }
 
 void ObjParser::check_size() const {
-  const std::size_t largest = std::max({out_.positions.size(), out_.texture_coordinates.size(),
-                                        out_.normals.size(), out_.corners.size(), out_.polygons.size()});
+  const std::size_t largest =
+      std::max({out_.positions.size(), out_.texture_coordinates.size(), out_.normals.size(),
+                out_.corners.size(), out_.polygons.size(), out_.segments.size(), out_.points.size()});
   if (largest <= static_cast<std::size_t>(most_elements)) return;
   throw Error(ErrorKind::read, "more than 1,073,741,824 elements of one kind", name_, "split the file");
 }
@@ -222,7 +245,7 @@ void ObjParser::begin_run_if_new() {
   }
   run_bytes_ += bytes_per_run + 2 * object_.size() + material_.size();
   require_within_memory_bound(run_bytes_, file_bytes_, "so many objects and materials", scanner_.where());
-  out_.runs.push_back({object_, material_, out_.polygons.size()});
+  out_.runs.push_back({object_, material_, out_.polygons.size(), out_.segments.size(), out_.points.size()});
 }
 
 void ObjParser::library() {
@@ -234,8 +257,7 @@ void ObjParser::write_notes() {
   const auto note = [&](std::size_t count, const char* text) {
     if (count > 0) out_.notes.push_back(std::to_string(count) + text);
   };
-  note(lines_, " line elements (l) are left out");
-  note(points_, " point elements (p) are left out");
+  note(short_lines_, " line elements (l) with fewer than two vertices are left out");
   note(small_faces_, " faces with fewer than three corners are left out");
   if (unknown_ > 0)
     note(unknown_, (" statements of other kinds are left out, the first is " + first_unknown_).c_str());

@@ -24,11 +24,14 @@ struct ObjPolygon {
   std::uint32_t line;
 };
 
-/// Consecutive polygons of one object with one material; they end where the next run begins.
+/// Consecutive polygons, segments and points of one object with one material; they end where the next run
+/// begins.
 struct ObjRun {
   std::string_view object;
   std::string_view material;
   std::size_t first_polygon;
+  std::size_t first_segment;
+  std::size_t first_point;
 };
 
 /// What stands in an OBJ file, one to one, indices resolved and in range. Names view the file's text.
@@ -39,6 +42,8 @@ struct ObjStatements {
   std::vector<glm::vec3> normals;  ///< as they stand in the file
   std::vector<ObjCorner> corners;
   std::vector<ObjPolygon> polygons;  ///< in file order; their corners follow one another in `corners`
+  std::vector<glm::uvec2> segments;  ///< of line elements, in file order: places in `positions`
+  std::vector<std::uint32_t> points;
   std::vector<ObjRun> runs;
   std::vector<std::string_view> libraries;  ///< mtllib, in file order
   std::vector<std::string> notes;

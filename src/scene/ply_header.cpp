@@ -60,6 +60,10 @@ PlyRole role_of(const PlyElement& element, std::string_view name, bool is_list) 
   const bool has_corners = element.name == "face" || element.name == "tristrips";
   const bool is_corners = name == "vertex_indices" || name == "vertex_index";
   if (is_list) return has_corners && is_corners ? PlyRole::corners : PlyRole::none;
+  if (element.name == "edge") {
+    if (name == "vertex1") return PlyRole::vertex1;
+    return name == "vertex2" ? PlyRole::vertex2 : PlyRole::none;
+  }
   return element.name == "vertex" ? scalar_role(name) : PlyRole::none;
 }
 
@@ -152,7 +156,7 @@ void HeaderParser::property() {
   }
   property.type = type();
   property.role = role_of(header_.elements.back(), scanner_.token(), property.is_list);
-  if (property.role == PlyRole::corners && is_real(property.type)) {
+  if (property.role >= PlyRole::corners && is_real(property.type)) {
     scanner_.fail("vertex indices are not of a whole type");
   }
   header_.elements.back().properties.push_back(property);

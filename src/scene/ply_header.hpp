@@ -11,9 +11,9 @@ namespace velum {
 enum class PlyEncoding { ascii, little_endian, big_endian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// What a property of a vertex, a face or a strip means here.
-enum class PlyRole { none, x, y, z, nx, ny, nz, red, green, blue, alpha, u, v, corners };
-inline constexpr std::size_t ply_role_count = 14;
+/// What a property of a vertex, a face, a strip or an edge means here.
+enum class PlyRole { none, x, y, z, nx, ny, nz, red, green, blue, alpha, u, v, corners, vertex1, vertex2 };
+inline constexpr std::size_t ply_role_count = 16;
 
 struct PlyProperty {
   PlyRole role = PlyRole::none;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "../base/error.hpp"
 #include "../image/colour.hpp"
@@ -40,8 +41,14 @@ class PlyParser {
   float colour(PlyType type, PlyRole role);
   void faces(const PlyElement& element);
   void strips(const PlyElement& element);
+  void edges(const PlyElement& element);
+  std::uint32_t vertex_index(PlyType type);
+  [[noreturn]] void fail_index(std::int64_t index);
   void corners(const PlyProperty& property, std::vector<std::uint32_t>& out);
   void triangulate();
+  Mesh vertex_mesh();
+  void add_faces(const Mesh& vertices, const LoadOptions& options, Scene& scene);
+  void add_lines(const Mesh& vertices, Scene& scene);
 
   PlyHeader header_;
   PlyValues values_;
@@ -55,6 +62,7 @@ class PlyParser {
   std::vector<std::uint32_t> corners_;        // of all faces
   std::vector<std::uint32_t> corner_counts_;  // one per face
   std::vector<glm::uvec3> triangles_;
+  std::vector<glm::uvec2> segments_;
   std::vector<std::string> notes_;
 };
 
@@ -80,22 +88,52 @@ Scene PlyParser::parse(const LoadOptions& options) {
   }
   for (const PlyElement& e : header_.elements) element(e);
   triangulate();
+  note_positions_not_finite(positions_, notes_);
+  Scene scene;
+  if (positions_.empty()) {
+    notes_.push_back("the file has no vertices, there is nothing to draw");
+  } else {
+    const Mesh vertices = vertex_mesh();
+    add_faces(vertices, options, scene);
+    add_lines(vertices, scene);
+  }
+  scene.notes = std::move(notes_);
+  return scene;
+}
+
+// The vertices alone; meshes made of it share its arrays.
+Mesh PlyParser::vertex_mesh() {
   Mesh mesh;
   mesh.name = std::filesystem::path(name_).stem().string();
   mesh.positions = std::move(positions_);
   if (!normals_.empty()) mesh.normals = std::move(normals_);
   if (!texture_coordinates_.empty()) mesh.texture_coordinates = std::move(texture_coordinates_);
   if (!colours_.empty()) mesh.colours = std::move(colours_);
+  return mesh;
+}
+
+void PlyParser::add_faces(const Mesh& vertices, const LoadOptions& options, Scene& scene) {
+  if (triangles_.empty()) return;
+  Mesh mesh = vertices;
   mesh.triangles = std::move(triangles_);
-  note_positions_not_finite(mesh.positions.span(), notes_);
-  Scene scene;
-  if (mesh.triangles.empty()) notes_.push_back("the file has no faces, there is nothing to draw");
-  if (!mesh.triangles.empty() || !mesh.normals.empty()) {
-    mesh = with_complete_normals(std::move(mesh), options.missing_normals, file_bytes_, name_);
+  scene.add(with_complete_normals(std::move(mesh), options.missing_normals, file_bytes_, name_));
+}
+
+// A mesh of their own: segments and points have no face to take a missing normal from, and stay unlit.
+void PlyParser::add_lines(const Mesh& vertices, Scene& scene) {
+  if (segments_.empty() && !scene.meshes().empty()) return;
+  Mesh mesh = vertices;
+  if (segments_.empty()) {
+    std::vector<std::uint32_t> points(mesh.positions.size());
+    std::iota(points.begin(), points.end(), 0u);
+    mesh.points = std::move(points);
+  } else {
+    mesh.segments = std::move(segments_);
   }
-  if (!mesh.positions.empty()) scene.add(std::move(mesh));
-  scene.notes = std::move(notes_);
-  return scene;
+  std::vector<glm::vec3> normals(mesh.normals.begin(), mesh.normals.end());
+  for (glm::vec3& normal : normals) normal = unit_or_zero(normal);
+  if (!normals.empty()) mesh.normals = std::move(normals);
+  scene.add(std::move(mesh));
 }
 
 // Every value takes at least a byte, so that a count is bounded by the file before anything is reserved.
@@ -116,6 +154,8 @@ void PlyParser::element(const PlyElement& element) {
     faces(element);
   else if (element.name == "tristrips" && has(element, PlyRole::corners))
     strips(element);
+  else if (element.name == "edge" && has(element, {PlyRole::vertex1, PlyRole::vertex2}))
+    edges(element);
   else
     skip(element);
 }
@@ -191,15 +231,41 @@ float PlyParser::colour(PlyType type, PlyRole role) {
   return linear_from_srgb_value(static_cast<double>(code) / 65535.0);
 }
 
+void PlyParser::fail_index(std::int64_t index) {
+  values_.fail("vertex index " + std::to_string(index) + ", but there are " + std::to_string(vertex_count_) +
+                   " vertices",
+               "check that the file is whole, or export it again");
+}
+
+std::uint32_t PlyParser::vertex_index(PlyType type) {
+  const std::int64_t index = values_.integer(type);
+  if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) fail_index(index);
+  return static_cast<std::uint32_t>(index);
+}
+
+void PlyParser::edges(const PlyElement& element) {
+  segments_.reserve(segments_.size() + static_cast<std::size_t>(element.count));
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    glm::uvec2 ends(0u);
+    for (const PlyProperty& property : element.properties) {
+      if (property.role == PlyRole::vertex1)
+        ends.x = vertex_index(property.type);
+      else if (property.role == PlyRole::vertex2)
+        ends.y = vertex_index(property.type);
+      else
+        skip(property);
+    }
+    segments_.push_back(ends);
+  }
+}
+
 void PlyParser::corners(const PlyProperty& property, std::vector<std::uint32_t>& out) {
   const std::uint64_t count = list_length(property);
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::int64_t index = values_.integer(property.type);
     const bool ends_strip = index == -1 && &out != &corners_;
     if (!ends_strip && (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_)) {
-      values_.fail("vertex index " + std::to_string(index) + ", but there are " +
-                       std::to_string(vertex_count_) + " vertices",
-                   "check that the file is whole, or export it again");
+      fail_index(index);
     }
     out.push_back(static_cast<std::uint32_t>(index));
   }

@@ -16,8 +16,10 @@ namespace velum {
 ///   colours are sRGB codes, real ones linear.
 /// - face: a list vertex_indices or vertex_index; polygons are triangulated.
 /// - tristrips: the same list; -1 begins a new strip.
+/// - edge: vertex1 vertex2; they become the segments of a second mesh, without normals unless the file has
+///   them.
 ///
-/// Without faces the vertices alone are kept. What is left out is told in Scene::notes.
+/// Without faces and edges every vertex is a point. What is left out is told in Scene::notes.
 /// @throws Error (read) with file:line or byte
 Scene read_ply(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options);
 

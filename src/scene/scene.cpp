@@ -139,6 +139,8 @@ std::uint32_t Scene::add_mesh(Mesh mesh) {
   hash_array(hash, mesh.texture_coordinates);
   hash_array(hash, mesh.colours);
   hash_array(hash, mesh.triangles);
+  hash_array(hash, mesh.segments);
+  hash_array(hash, mesh.points);
   mesh_bounds_.push_back(velum::bounds(mesh));
   meshes_.push_back(std::move(mesh));
   revision_ = hash.result();
@@ -158,11 +160,11 @@ std::uint32_t Scene::add_instance(Instance instance) {
   require_known(instance.mesh, meshes_.size(), "mesh", where);
   require_known(instance.material, materials_.size(), "material", where);
   require_placeable(instance.world_from_object, where);
-  const std::size_t triangles = meshes_[instance.mesh].triangles.size();
-  require_room(first_primitive_.back(), triangles, where);
+  const std::size_t primitives = meshes_[instance.mesh].primitive_count();
+  require_room(first_primitive_.back(), primitives, where);
   RevisionHash hash = change(revision_, Change::instance);
   hash.word(instance.mesh).word(instance.material).value(instance.world_from_object);
-  first_primitive_.push_back(first_primitive_.back() + static_cast<std::uint32_t>(triangles));
+  first_primitive_.push_back(first_primitive_.back() + static_cast<std::uint32_t>(primitives));
   instances_.push_back(std::move(instance));
   revision_ = hash.result();
   return static_cast<std::uint32_t>(instances_.size() - 1);
@@ -173,7 +175,7 @@ std::uint32_t Scene::add(Mesh mesh, const glm::dmat4& world_from_object, std::ui
   // What add_instance would refuse is refused before the mesh is added: a failed call leaves the scene alone.
   require_known(material, materials_.size(), "material", place_of(instance));
   require_placeable(world_from_object, place_of(instance));
-  require_room(first_primitive_.back(), mesh.triangles.size(), place_of(instance));
+  require_room(first_primitive_.back(), mesh.primitive_count(), place_of(instance));
   instance.mesh = add_mesh(std::move(mesh));
   return add_instance(std::move(instance));
 }
@@ -236,14 +238,27 @@ PrimitivePlace Scene::place(std::uint32_t primitive) const {
   // The last instance that begins at or before it: empty instances begin where the next one does and lose.
   const auto next = std::upper_bound(first_primitive_.begin(), first_primitive_.end(), primitive);
   const auto instance = static_cast<std::uint32_t>(next - first_primitive_.begin() - 1);
-  return {instance, primitive - first_primitive_[instance]};
+  const Mesh& mesh = meshes_[instances_[instance].mesh];
+  std::uint32_t index = primitive - first_primitive_[instance];
+  if (index < mesh.triangles.size()) return {instance, index, PrimitiveKind::triangle};
+  index -= static_cast<std::uint32_t>(mesh.triangles.size());
+  if (index < mesh.segments.size()) return {instance, index, PrimitiveKind::segment};
+  return {instance, index - static_cast<std::uint32_t>(mesh.segments.size()), PrimitiveKind::point};
 }
 
 std::uint32_t Scene::primitive(const PrimitivePlace& place) const {
   const std::uint32_t first = first_primitive(place.instance);
-  VELUM_REQUIRE(place.triangle < first_primitive_[place.instance + 1] - first, {"instance", place.instance},
-                {"triangle", place.triangle});
-  return first + place.triangle;
+  const Mesh& mesh = meshes_[instances_[place.instance].mesh];
+  const bool is_triangle = place.kind == PrimitiveKind::triangle;
+  const bool is_segment = place.kind == PrimitiveKind::segment;
+  const std::size_t count = is_triangle  ? mesh.triangles.size()
+                            : is_segment ? mesh.segments.size()
+                                         : mesh.points.size();
+  VELUM_REQUIRE(place.index < count, {"instance", place.instance}, {"index", place.index}, {"count", count});
+  const std::size_t before = is_triangle  ? 0
+                             : is_segment ? mesh.triangles.size()
+                                          : mesh.triangles.size() + mesh.segments.size();
+  return first + static_cast<std::uint32_t>(before) + place.index;
 }
 
 }  // namespace velum

@@ -9,6 +9,7 @@
 #include "light.hpp"
 #include "material.hpp"
 #include "mesh.hpp"
+#include "primitive_place.hpp"
 
 namespace velum {
 
@@ -23,17 +24,11 @@ struct Instance {
   std::string name;
 };
 
-/// A triangle's place: the instance and the triangle's index in its mesh.
-struct PrimitivePlace {
-  std::uint32_t instance = 0;
-  std::uint32_t triangle = 0;
-  bool operator==(const PrimitivePlace&) const = default;
-};
-
 /// What there is to be seen: meshes, materials, instances and lights.
 ///
-/// Primitive ids number the triangles instance after instance, in the order in which they were added. A const
-/// Scene may be rendered from several threads at once: nothing derived is cached inside.
+/// Primitive ids number the primitives instance after instance, in the order in which they were added; within
+/// an instance its triangles come first, then its segments, then its points. A const Scene may be rendered
+/// from several threads at once: nothing derived is cached inside.
 class Scene {
  public:
   UpAxis up = UpAxis::y;
@@ -75,11 +70,11 @@ class Scene {
   std::uint64_t revision() const { return revision_; }
 
   std::uint32_t primitive_count() const;
-  /// The id of the instance's first triangle. @pre instance < instances().size()
+  /// The id of the instance's first primitive. @pre instance < instances().size()
   std::uint32_t first_primitive(std::uint32_t instance) const;
   /// @pre primitive < primitive_count()
   PrimitivePlace place(std::uint32_t primitive) const;
-  /// @pre place.instance and place.triangle exist
+  /// @pre place.instance exists, and its mesh has a primitive of this kind and index
   std::uint32_t primitive(const PrimitivePlace& place) const;
 
  private:

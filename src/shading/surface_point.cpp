@@ -61,7 +61,7 @@ SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float rev
   point.metric_depth = metric_depth(triangle, barycentrics);
   point.depth = 1.0f - reversed_depth;
   point.object = triangle.place.instance;
-  point.triangle = triangle.place.triangle;
+  point.index = triangle.place.index;
   point.primitive = triangle.primitive;
   point.back_facing = triangle.facing == Facing::back;
   point.x = x;

@@ -120,8 +120,9 @@ TriangleView view_triangle(const Scene& scene, const PrimitivePlace& place,
   VELUM_REQUIRE(place.instance < scene.instances().size(), {"place.instance", place.instance});
   const Instance& instance = scene.instances()[place.instance];
   const Mesh& mesh = scene.meshes()[instance.mesh];
-  VELUM_REQUIRE(place.triangle < mesh.triangles.size(), {"place.triangle", place.triangle});
-  const glm::uvec3& indices = mesh.triangles[place.triangle];
+  VELUM_REQUIRE(place.kind == PrimitiveKind::triangle && place.index < mesh.triangles.size(),
+                {"place.index", place.index});
+  const glm::uvec3& indices = mesh.triangles[place.index];
 
   TriangleView view;
   view.place = place;
@@ -178,21 +179,6 @@ glm::dmat2 texture_derivatives_at(const TriangleView& triangle, double px, doubl
   change[1] /= sum;
   const double size = glm::dot(change[0], change[0]) + glm::dot(change[1], change[1]);
   return std::isfinite(size) ? change : none;
-}
-
-float edge_distance(const TriangleView& triangle, double px, double py) {
-  if (triangle.determinant == 0.0) return 0.0f;
-  const glm::dvec3 edges = edge_values(triangle, px, py);
-  const double sum = edges.x + edges.y + edges.z;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const glm::dvec2& gradient = triangle.edge_gradient[i];
-    const double steepness = std::sqrt(gradient.x * gradient.x + gradient.y * gradient.y);
-    if (!(steepness > 0.0)) continue;  // an edge at infinity
-    const double value = edges[static_cast<int>(i)] / steepness;
-    smallest = std::min(smallest, sum < 0.0 ? -value : value);
-  }
-  return smallest > 0.0 ? static_cast<float>(smallest) : 0.0f;
 }
 
 }  // namespace velum

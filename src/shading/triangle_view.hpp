@@ -74,10 +74,6 @@ Barycentrics barycentrics_at(const TriangleView& triangle, double px, double py)
 /// u = Σ uᵢ·βᵢ / Σ βᵢ, with the edge planes βᵢ.
 glm::dmat2 texture_derivatives_at(const TriangleView& triangle, double px, double py);
 
-/// Distance in pixels from a position in the picture to the nearest projected edge of the triangle;
-/// 0 outside the triangle or for a triangle seen edge-on.
-float edge_distance(const TriangleView& triangle, double px, double py);
-
 /// Everything a shader may want to know of the triangle at the centre of pixel (x, y) of the whole picture.
 /// A covered centre may lie up to √2/512 pixel outside the true triangle (snapping): attributes are then
 /// those of a point on the triangle close by, never extrapolated.

@@ -4,12 +4,10 @@
 
 namespace velum {
 
-/// Draws a triangle's edge over a pixel: a line one pixel wide and centred on the edge, softened over one
-/// pixel (box filter), so that two triangles draw half of their common edge each. Black on light surfaces,
-/// white on dark ones.
-/// @param colour         what is there, linear, straight alpha
-/// @param edge_distance  in pixels from the pixel's centre to the nearest edge, ≥ 0, see edge_distance()
-/// @return linear, straight alpha
-glm::vec4 over_wireframe(const glm::vec4& colour, float edge_distance);
+/// The colour of a wireframe's line over a pixel: black on light surfaces and where nothing opaque lies
+/// below, white on dark ones.
+/// @param below  what is there, linear, straight alpha
+/// @return linear, opaque
+glm::vec4 wireframe_ink(const glm::vec4& below);
 
 }  // namespace velum

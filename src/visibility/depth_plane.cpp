@@ -4,17 +4,13 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "../base/elementary.hpp"
+#include "depth_range.hpp"
 
 namespace velum {
 namespace {
 
 glm::dvec3 xyw(const glm::dvec4& v) {
   return {v.x, v.y, v.w};
-}
-
-double reversed_depth(const glm::dvec4& v) {
-  return (v.w - v.z) / v.w;
 }
 
 /// r in canonical coordinates: r = dot(result, (x, y, 1)). Rows v0, v1 - v0, v2 - v0 have the determinant of
@@ -27,48 +23,6 @@ glm::dvec3 plane_in_ndc(const std::array<glm::dvec4, 3>& v, double determinant) 
   const double r1 = (v[1].w - v[1].z) - r0;
   const double r2 = (v[2].w - v[2].z) - r0;
   return (glm::cross(d1, d2) * r0 + glm::cross(d2, p0) * r1 + glm::cross(p0, d1) * r2) / determinant;
-}
-
-struct VertexRange {
-  double nearest = 0.0;
-  double farthest = 1.0;
-  int farthest_vertex = -1;
-  bool all_in_front = true;  ///< every w > 0
-};
-
-/// The smallest and largest reversed depth among the vertices with w > 0.
-VertexRange vertex_range(const std::array<glm::dvec4, 3>& v) {
-  VertexRange range;
-  for (int i = 0; i < 3; ++i) {
-    const glm::dvec4& vertex = v[static_cast<std::size_t>(i)];
-    if (!(vertex.w > 0.0)) {
-      range.all_in_front = false;
-      continue;
-    }
-    const double r = reversed_depth(vertex);
-    if (range.farthest_vertex < 0 || r < range.farthest) {
-      range.farthest = r;
-      range.farthest_vertex = i;
-    }
-    if (i == 0 || r > range.nearest) range.nearest = r;
-  }
-  return range;
-}
-
-/// The pixel column (row) of a coordinate, kept inside the picture.
-std::int32_t pixel_of(double coordinate, int size) {
-  return static_cast<std::int32_t>(elementary::floor(std::clamp(coordinate, 0.0, size - 1.0)));
-}
-
-float unit_float(double r) {
-  return static_cast<float>(r > 0.0 ? (r < 1.0 ? r : 1.0) : 0.0);
-}
-
-/// Slopes beyond this would let a product overflow; such a triangle is seen edge-on for all purposes.
-constexpr double steepest = 1e30;
-
-bool is_steep(double slope) {
-  return !(slope <= steepest && slope >= -steepest);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 glm::dvec3 corner(const Scene& scene, const PickResult& picked, int i) {
   const Instance& instance = scene.instances()[picked.object];
   const Mesh& mesh = scene.meshes()[instance.mesh];
-  const glm::dvec4 object(mesh.positions[mesh.triangles[picked.triangle][i]], 1.0);
+  const glm::dvec4 object(mesh.positions[mesh.triangles[picked.index][i]], 1.0);
   return glm::dvec3(instance.world_from_object * object);
 }
 

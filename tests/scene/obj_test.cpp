@@ -161,20 +161,43 @@ TEST_CASE("OBJ: vertex colours are sRGB values, weights are not colours") {
 }
 
 TEST_CASE("OBJ: what is left out is told") {
-  const Scene scene =
-      read(with_square("l 1 2\nl 2 3\np 1\nf 1 2\nbevel on\nf 1 2 3\nmtllib none.mtl\n"), "a.obj");
-  CHECK(has_note(scene, "2 line elements"));
-  CHECK(has_note(scene, "1 point elements"));
+  const Scene scene = read(with_square("l 1\nl\np\nf 1 2\nbevel on\nf 1 2 3\nmtllib none.mtl\n"), "a.obj");
+  CHECK(has_note(scene, "2 line elements (l) with fewer than two vertices"));
   CHECK(has_note(scene, "1 faces with fewer than three corners"));
   CHECK(has_note(scene, "the first is \"bevel\" in line 9"));
   CHECK(has_note(scene, "the first is \"none.mtl\""));
   CHECK(scene.primitive_count() == 1);
   const Scene cloud = read(square, "a.obj");
-  CHECK(has_note(cloud, "no faces"));
+  CHECK(has_note(cloud, "no faces: its vertices are drawn as points"));
   CHECK(only_mesh(cloud).positions.size() == 4);
-  CHECK(cloud.primitive_count() == 0);
+  CHECK(cloud.primitive_count() == 4);
+  CHECK(only_mesh(cloud).points[3] == 3);
+  CHECK(has_note(read("vn 0 0 1\n", "a.obj"), "nothing to draw"));
   CHECK(has_note(read("v nan 0 0\nv 1e99 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj"),
                  "2 vertex positions are not finite"));
+}
+
+TEST_CASE("OBJ: line and point elements follow their object's faces, with its material and without normals") {
+  const Scene scene =
+      read(with_square("o a\nl 1 2/1 -1\nf 1 2 3\np 4 1\no b\nusemtl m\nl 3 4\nvt 0 0\n"), "a.obj");
+  REQUIRE(scene.instances().size() == 3);
+  CHECK(scene.meshes()[0].triangles.size() == 1);
+  CHECK(scene.meshes()[0].primitive_count() == 1);
+  const Mesh& lines = scene.meshes()[1];
+  CHECK(lines.name == "a");
+  CHECK(lines.normals.empty());
+  REQUIRE(lines.segments.size() == 2);
+  CHECK(lines.positions[lines.segments[0].y] == scene.meshes()[0].positions[1]);
+  CHECK(lines.segments[0].y == lines.segments[1].x);
+  REQUIRE(lines.points.size() == 2);
+  CHECK(lines.points[0] == lines.segments[1].y);
+  CHECK(scene.meshes()[2].segments.size() == 1);
+  CHECK(scene.meshes()[2].positions.size() == 2);
+  CHECK(scene.instances()[2].name == "b");
+  CHECK(scene.instances()[2].material == 1);
+  CHECK(scene.primitive_count() == 6);
+  CHECK(contains(failure(with_square("l 1 5\n"), "a.obj"), "a.obj:5: index 5, but the file has 4 vertices"));
+  CHECK(contains(failure(with_square("p 0\n"), "a.obj"), "a.obj:5: the index 0"));
 }
 
 TEST_CASE("OBJ: mistakes name the line and what to do") {

@@ -190,12 +190,32 @@ TEST_CASE("PLY: strips turn every second triangle, -1 begins anew") {
   CHECK(mesh.normals[3] == glm::vec3(0, 0, 1));
 }
 
+TEST_CASE("PLY: edges become segments, beside faces in a mesh of their own") {
+  const std::string vertices = "ply\nformat ascii 1.0\nelement vertex 3\n" + std::string(xyz);
+  const std::string edges = "element edge 2\nproperty int vertex1\nproperty uchar w\nproperty int vertex2\n";
+  const Scene alone = read(vertices + edges + "end_header\n0 0 0 1 0 0 0 1 0\n0 9 1\n2 9 1\n", "a.ply");
+  CHECK(alone.notes.empty());
+  REQUIRE(alone.primitive_count() == 2);
+  CHECK(alone.meshes()[0].segments[1] == glm::uvec2(2, 1));
+  CHECK(alone.meshes()[0].normals.empty());
+  const Scene both = read(vertices + "element face 1\nproperty list uchar int vertex_indices\n" + edges +
+                              "end_header\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n0 9 1\n2 9 1\n",
+                          "a.ply");
+  REQUIRE(both.meshes().size() == 2);
+  CHECK(both.meshes()[0].primitive_count() == 1);
+  CHECK(both.meshes()[1].segments.size() == 2);
+  CHECK(both.meshes()[1].normals.empty());
+  CHECK(contains(failure(vertices + edges + "end_header\n0 0 0 1 0 0 0 1 0\n0 9 3\n0 9 1\n", "a.ply"),
+                 "vertex index 3, but there are 3 vertices"));
+}
+
 TEST_CASE("PLY: points alone are kept, small faces are left out") {
   const Scene cloud = read(
       "ply\nformat ascii 1.0\nelement vertex 2\n" + std::string(xyz) + "end_header\n0 0 0 1 1 1\n", "a.ply");
   CHECK(cloud.meshes().at(0).positions.size() == 2);
-  CHECK(cloud.primitive_count() == 0);
-  CHECK(contains(cloud.notes.at(0), "no faces"));
+  CHECK(cloud.primitive_count() == 2);
+  CHECK(cloud.meshes()[0].points[1] == 1);
+  CHECK(cloud.notes.empty());
   const Scene small =
       read("ply\nformat ascii 1.0\nelement vertex 3\n" + std::string(xyz) +
                "element face 3\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 0 1 0\n"

@@ -62,6 +62,37 @@ TEST_CASE("primitive ids number the triangles instance after instance, past empt
   CHECK_THROWS_AS(scene.primitive({0, 0}), ContractViolation);
 }
 
+TEST_CASE("an instance's triangles come first, then its segments, then its points") {
+  velum::Mesh mesh;
+  mesh.positions = {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)};
+  mesh.triangles = {glm::uvec3(0, 1, 2), glm::uvec3(2, 1, 0)};
+  mesh.segments = {glm::uvec2(0, 1)};
+  mesh.points = {2u, 0u};
+  velum::Scene scene;
+  scene.add(mesh);
+  scene.add(mesh);
+  CHECK(scene.primitive_count() == 10);
+  CHECK(scene.first_primitive(1) == 5);
+  using velum::PrimitiveKind;
+  CHECK(scene.place(6) == velum::PrimitivePlace{1, 1, PrimitiveKind::triangle});
+  CHECK(scene.place(7) == velum::PrimitivePlace{1, 0, PrimitiveKind::segment});
+  CHECK(scene.place(9) == velum::PrimitivePlace{1, 1, PrimitiveKind::point});
+  for (std::uint32_t id = 0; id < 10; ++id) CHECK(scene.primitive(scene.place(id)) == id);
+  CHECK_THROWS_AS(scene.primitive({0, 1, PrimitiveKind::segment}), velum::ContractViolation);
+
+  velum::Scene other;
+  other.add(mesh);
+  mesh.segments = {glm::uvec2(0, 2)};
+  velum::Scene another;
+  another.add(mesh);
+  CHECK(other.revision() != another.revision());
+  mesh.points = {3u};
+  CHECK_THROWS_AS(other.add(mesh), velum::Error);
+  mesh.points = {};
+  mesh.segments = {glm::uvec2(0, 3)};
+  CHECK_THROWS_AS(other.add(mesh), velum::Error);
+}
+
 TEST_CASE("more than 2^32-1 primitives is an error, and exactly so many are not") {
   Scene scene;
   const std::uint32_t million = scene.add_mesh(strip(1000000));

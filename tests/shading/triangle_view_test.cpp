@@ -30,12 +30,6 @@ glm::dvec3 solved_barycentrics(const velum::TriangleView& t, const glm::dvec2& n
   return {b.x() / sum, b.y() / sum, b.z() / sum};
 }
 
-/// Distance from p to the line through a and b, all in pixels.
-double line_distance(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
-  const glm::dvec2 d = b - a, e = p - a;
-  return std::abs(d.x * e.y - d.y * e.x) / std::sqrt(glm::dot(d, d));
-}
-
 }  // namespace
 
 TEST_CASE("barycentrics equal those of the linear system, also with vertices behind the viewer") {
@@ -99,31 +93,6 @@ TEST_CASE("a triangle seen edge-on has the attributes of its nearest vertex") {
   CHECK(point.position == glm::dvec3(0, 0, 2));
   CHECK(point.texture_coordinate == glm::vec2(1, 0));
   CHECK(point.metric_depth == doctest::Approx(3.0).epsilon(1e-12));
-  CHECK(velum::edge_distance(t, 32.0, 20.0) == 0.0f);
-}
-
-TEST_CASE("edge distance is the distance to the nearest projected edge") {
-  Random random{12};
-  int tested = 0;
-  for (int i = 0; i < 100; ++i) {
-    velum::Scene scene;
-    scene.add(random_triangle_mesh(random));
-    for (const TestCamera& camera : random_cameras(random, viewport)) {
-      const velum::TriangleView t = view_of(scene, camera);
-      if (!t.is_in_front || std::abs(t.determinant) < 1e-3) continue;
-      std::array<glm::dvec2, 3> corner;
-      for (std::size_t k = 0; k < 3; ++k)
-        corner[k] = viewport.pixel_from_ndc(t.clip[k].x / t.clip[k].w, t.clip[k].y / t.clip[k].w);
-      const glm::dvec2 inside = corner[0] * 0.5 + corner[1] * 0.3 + corner[2] * 0.2;
-      const double expected =
-          std::min({line_distance(inside, corner[0], corner[1]), line_distance(inside, corner[1], corner[2]),
-                    line_distance(inside, corner[2], corner[0])});
-      CHECK(double(velum::edge_distance(t, inside.x, inside.y)) == doctest::Approx(expected).epsilon(1e-6));
-      CHECK(velum::edge_distance(t, corner[0].x * 2.0 - inside.x, corner[0].y * 2.0 - inside.y) == 0.0f);
-      ++tested;
-    }
-  }
-  CHECK(tested > 150);
 }
 
 TEST_CASE("facing, π·e, line of sight and half-space agree under every camera; mirroring flips") {
