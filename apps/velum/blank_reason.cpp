@@ -57,7 +57,12 @@ std::string scattered(const Counters& counters, const Aabb& bounds, const Camera
 
 std::string blank_reason(const Counters& counters, const Aabb& bounds, const Camera& camera,
                          const RenderSettings& settings) {
-  if (counters.triangles == 0) return "the scene has no triangles";
+  if (counters.triangles == 0) {
+    if (counters.segments + counters.points == 0) return "the scene has no triangles, segments or points";
+    if (counters.screen_triangles == 0) return "all segments and points lie outside the view volume";
+    if (settings.crop) return "nothing of the scene lies in the part of the picture that --crop chose";
+    return "no segment or point covers a pixel centre";
+  }
   if (counters.not_finite == counters.triangles) return "every triangle has a vertex that is not finite";
   if (counters.culled == counters.triangles) {
     return "all " + counted_text(counters.triangles, "triangle") + " face away and were removed by --cull";

@@ -30,7 +30,7 @@ std::vector<std::string> notes_on(const Mesh& mesh, const MeshFacts& facts) {
   const auto note = [&notes](std::uint64_t count, const std::string& noun, const std::string& text) {
     if (count > 0) notes.push_back(counted_text(count, noun) + " " + text);
   };
-  if (mesh.triangles.empty()) notes.push_back("no triangles");
+  if (mesh.primitive_count() == 0) notes.push_back("no triangles, segments or points");
   note(facts.boundary_edges, "edge", "with a triangle on one side only: the surface is open");
   note(facts.irregular_edges, "edge", "where triangles meet irregularly");
   note(facts.zero_area, "triangle", "without area");
@@ -59,6 +59,33 @@ std::uint64_t vertex_count(const Scene& scene) {
   return count;
 }
 
+/// "12 triangles", and the segments and points where there are any.
+std::string primitives_text(std::uint64_t triangles, std::uint64_t segments, std::uint64_t points) {
+  std::string text;
+  const auto append = [&text](std::uint64_t count, const std::string& noun) {
+    text += (text.empty() ? "" : ", ") + counted_text(count, noun);
+  };
+  if (triangles > 0 || segments + points == 0) append(triangles, "triangle");
+  if (segments > 0) append(segments, "segment");
+  if (points > 0) append(points, "point");
+  return text;
+}
+
+std::uint64_t triangle_count(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const Instance& i : scene.instances()) count += scene.meshes()[i.mesh].triangles.size();
+  return count;
+}
+
+std::string primitives_text(const Scene& scene) {
+  std::uint64_t segments = 0, points = 0;
+  for (const Instance& i : scene.instances()) {
+    segments += scene.meshes()[i.mesh].segments.size();
+    points += scene.meshes()[i.mesh].points.size();
+  }
+  return primitives_text(triangle_count(scene), segments, points);
+}
+
 Json bounds_json(const Aabb& box) {
   if (box.is_empty()) return nullptr;
   return {{"lower", json_of(box.lower)}, {"upper", json_of(box.upper)}};
@@ -69,6 +96,8 @@ Json mesh_json(const Mesh& mesh) {
   return {{"name", mesh.name},
           {"vertices", mesh.positions.size()},
           {"triangles", mesh.triangles.size()},
+          {"segments", mesh.segments.size()},
+          {"points", mesh.points.size()},
           {"normals", !mesh.normals.empty()},
           {"texture_coordinates", !mesh.texture_coordinates.empty()},
           {"colours", !mesh.colours.empty()},
@@ -98,7 +127,8 @@ Json scene_json(const std::string& input, const Scene& scene) {
   }
   return {{"input", input},
           {"vertices", vertex_count(scene)},
-          {"triangles", scene.primitive_count()},
+          {"primitives", scene.primitive_count()},
+          {"triangles", triangle_count(scene)},
           {"bounds", bounds_json(scene.bounds())},
           {"meshes", meshes},
           {"instances", instances},
@@ -110,16 +140,16 @@ void print_mesh(const Mesh& mesh) {
   const MeshFacts facts = facts_of(mesh);
   const std::string attributes = attributes_of(mesh);
   std::cout << "  mesh \"" << mesh.name << "\": " << grouped_text(mesh.positions.size()) << " vertices, "
-            << counted_text(mesh.triangles.size(), "triangle") << (attributes.empty() ? "" : ", with ")
-            << attributes << (facts.is_closed() && !mesh.triangles.empty() ? ", closed" : "") << '\n';
+            << primitives_text(mesh.triangles.size(), mesh.segments.size(), mesh.points.size())
+            << (attributes.empty() ? "" : ", with ") << attributes
+            << (facts.is_closed() && !mesh.triangles.empty() ? ", closed" : "") << '\n';
   for (const std::string& note : notes_on(mesh, facts)) std::cout << "    note: " << note << '\n';
 }
 
 void print_text(const std::string& input, const Scene& scene) {
   const Aabb box = scene.bounds();
-  std::cout << input << ": " << counted_text(scene.primitive_count(), "triangle") << ", "
-            << grouped_text(vertex_count(scene)) << " vertices, "
-            << counted_text(scene.instances().size(), "instance") << ", "
+  std::cout << input << ": " << primitives_text(scene) << ", " << grouped_text(vertex_count(scene))
+            << " vertices, " << counted_text(scene.instances().size(), "instance") << ", "
             << counted_text(scene.materials().size(), "material") << '\n';
   if (box.is_empty()) {
     std::cout << "  bounds: none\n";

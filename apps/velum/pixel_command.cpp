@@ -8,6 +8,7 @@
 #include "camera_options.hpp"
 #include "fragment_text.hpp"
 #include "input.hpp"
+#include "line_options.hpp"
 #include "outputs.hpp"
 #include "trace_json.hpp"
 #include "triangle_text.hpp"
@@ -23,6 +24,7 @@ struct PixelOptions {
   std::string at;
   std::string cull = "none", radius = "4";
   CameraOptions camera;
+  LineOptions lines;
   std::optional<std::string> picture;
   bool json = false;
 };
@@ -69,6 +71,7 @@ int run(const PixelOptions& o) {
   settings.width = view.size.width;
   settings.height = view.size.height;
   settings.cull = cull_names.at(o.cull);
+  o.lines.apply_to(settings);
   std::vector<Output> outputs;
   if (o.picture) outputs.push_back({OutputKind::colour, "--output", *o.picture});
   const PixelDrawing drawing = drawing_from(o);
@@ -109,6 +112,7 @@ Verb add_pixel(CLI::App& program) {
   parser->add_flag("--json", options->json, "Print JSON");
   parser->add_option("--cull", options->cull, "Triangles left out by the way they face (default: none)")
       ->check(CLI::IsMember(&cull_names));
+  options->lines.add_to(*parser);
   options->camera.add_to(*parser);
   parser->footer(footer);
   return {parser, [options] { return run(*options); }};

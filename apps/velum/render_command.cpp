@@ -7,6 +7,7 @@
 #include "blank_reason.hpp"
 #include "camera_options.hpp"
 #include "input.hpp"
+#include "line_options.hpp"
 #include "outputs.hpp"
 #include "report.hpp"
 #include "terminal_progress.hpp"
@@ -40,6 +41,7 @@ struct RenderOptions {
   std::string texture_filter = "trilinear";
   CameraOptions camera;
   VisibilityOptions visibility;
+  LineOptions lines;
   bool wireframe = false;
   bool quiet = false;
   std::optional<std::string> crop;
@@ -67,7 +69,9 @@ void add_picture_options(CLI::App& parser, RenderOptions& o) {
       ->check(CLI::IsMember(&texture_filter_names));
   parser.add_option("--cull", o.cull, "Which triangles are left out by the way they face (default: none)")
       ->check(CLI::IsMember(&cull_names));
-  parser.add_flag("--wireframe", o.wireframe, "Draw the edges of the visible triangles over the picture");
+  parser.add_flag("--wireframe", o.wireframe,
+                  "Draw the triangles' edges over the picture, hidden ones removed");
+  o.lines.add_to(parser);
   parser
       .add_option("--layers", o.layers,
                   "Most translucent layers blended per pixel (default: 0, until exhausted)")
@@ -117,6 +121,7 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.cull = cull_names.at(o.cull);
   settings.wireframe = o.wireframe;
   settings.layers = o.layers;
+  o.lines.apply_to(settings);
   if (o.crop) settings.crop = rect_from(*o.crop, "--crop");
   settings.progress = terminal_progress(o.quiet);
   return settings;

@@ -117,8 +117,9 @@ TEST_CASE("--background, --shading, --cull, --wireframe and --world-up do what t
   CHECK(picture("--background '#1020fF'").at(0, 0) == velum::Rgba8{0x10, 0x20, 0xff, 255});
   const std::string plain = (picture(""), place.read("p.png"));
   for (const std::string options :
-       {"--shading flat --wireframe", "--shading normal", "--shading depth", "--shading triangle-id",
-        "--shading barycentric", "--cull front", "--world-up z", "--up 0,0,1", "--fov 20 --eye 4,3,6"}) {
+       {"--shading flat --wireframe", "--wireframe --line-width 3", "--shading normal", "--shading depth",
+        "--shading triangle-id", "--shading barycentric", "--cull front", "--world-up z", "--up 0,0,1",
+        "--fov 20 --eye 4,3,6"}) {
     CAPTURE(options);
     picture(options);
     CHECK(place.read("p.png") != plain);

@@ -87,6 +87,26 @@ TEST_CASE("velum pixel as text tells who wins and why, and the way through every
   CHECK(contains(background, "the background is seen"));
 }
 
+TEST_CASE("velum pixel knows segments and points, velum clip-trace only triangles") {
+  const Workplace place;
+  place.write("lines.obj", "v -1 0 0\nv 1 0 0\nv 0 0 1\nl 1 2\np 3\n");
+  const std::string common = " lines.obj --projection front --size 40x40 --line-width 2 --point-size 4 ";
+  const json told = json::parse(place.velum("pixel" + common + "--at 20,20 --json").out);
+  REQUIRE(told["fragments"].size() == 2);
+  CHECK(told["fragments"][0]["kind"] == "point");
+  CHECK(told["fragments"][0]["triangle"] == 1);
+  CHECK(told["fragments"][1]["kind"] == "segment");
+  CHECK(told["fragments"][1]["object_segment"] == 0);
+  CHECK(told["winner"].is_null());
+  for (const json& fragment : told["fragments"]) check_edges(fragment, told["centre"]);
+  const std::string text = place.velum("pixel" + common + "--at 20,20").out;
+  CHECK(contains(text, "Point 1 (object 0"));
+  CHECK(contains(text, "loses to point 1"));
+  const Outcome refused = place.velum("clip-trace lines.obj --triangle 0");
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.err, "is a segment or a point"));
+}
+
 TEST_CASE("velum clip-trace tells each plane's cuts, and draws them") {
   const Workplace place;
   const std::string view =

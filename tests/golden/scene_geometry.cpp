@@ -226,6 +226,25 @@ Scene lit() {
   return scene;
 }
 
+Scene lines() {
+  Scene scene;
+  add_solids(scene, {0.0, 0.0, 0.0});
+  Mesh cage = shapes::icosahedron(1.6f);
+  std::vector<glm::uvec2> segments;
+  for (const glm::uvec3& t : cage.triangles) segments.insert(segments.end(), {{t.x, t.y}, {t.z, t.y}});
+  cage.triangles = {};
+  cage.normals = {};
+  cage.segments = std::move(segments);
+  scene.add(cage, glm::dmat4(1.0), paint(scene, yellow));
+  Mesh cloud = shapes::icosphere(1.1f, 3);
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t i = 0; i < cloud.positions.size(); ++i) points.push_back(i);
+  cloud.triangles = {};
+  cloud.points = std::move(points);
+  scene.add(cloud, glm::dmat4(1.0), paint(scene, blue));
+  return scene;
+}
+
 Scene far_away() {
   Scene scene;
   add_solids(scene, {1e6, -1e6, 1e6});

@@ -33,6 +33,8 @@ velum::Scene textured();
 velum::Scene from_text();
 /// Vertex colours, coloured lights, sharp highlights.
 velum::Scene lit();
+/// Solids among segments and points, with and without normals.
+velum::Scene lines();
 /// The solids, 10⁶ units from the origin.
 velum::Scene far_away();
 /// A row of stairs and letters, 2048 times as wide as it is high.

@@ -107,6 +107,9 @@ void add_shadings(std::vector<GoldenScene>& scenes) {
     scene.projections = {"perspective"};
     scenes.push_back(std::move(scene));
   }
+  GoldenScene wide = entry("lines", lines());
+  wide.settings.line_width = 2.0f;
+  scenes.push_back(std::move(wide));
   GoldenScene wires = entry("wireframe", solids());
   wires.settings.wireframe = true;
   wires.projections = {"perspective", "cabinet"};
