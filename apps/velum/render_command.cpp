@@ -44,6 +44,7 @@ struct RenderOptions {
   LineOptions lines;
   bool wireframe = false;
   bool quiet = false;
+  bool report_work = false;
   std::optional<std::string> crop;
   std::uint64_t layers = 0;
   std::optional<std::string> picture, depth, metric_depth, normals, object_ids, triangle_ids, report;
@@ -91,6 +92,11 @@ void add_output_options(CLI::App& parser, RenderOptions& o) {
   add("--object-ids", o.object_ids, "Which instance is seen, .npy; .png shows distinct colours");
   add("--triangle-ids", o.triangle_ids, "Which triangle is seen, .npy; .png shows distinct colours");
   add("--report", o.report, "Coverage, counters, matrices and SHA-256s, .json");
+  parser
+      .add_flag("--report-work", o.report_work,
+                "Report also the visibility method's own work, in which the methods differ")
+      ->needs("--report")
+      ->group("Output");
   parser.add_flag("--quiet", o.quiet, "Say nothing but errors")->group("Output");
 }
 
@@ -127,14 +133,16 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   return settings;
 }
 
-void write_all(const std::vector<Output>& outputs, const Picture& picture, const Camera& camera,
-               const RenderSettings& settings) {
+void write_all(const RenderOptions& o, const std::vector<Output>& outputs, const Picture& picture,
+               const Camera& camera, const RenderSettings& settings) {
   for (const Output& output : outputs) {
     if (output.kind != OutputKind::report) {
       write_output(output, picture);
       continue;
     }
-    const std::string text = json_text(report_of(picture, camera, settings));
+    Json report = report_of(picture, camera, settings);
+    if (o.report_work) report["work"] = work_of(picture.counters);
+    const std::string text = json_text(report);
     write_file(output.path, std::as_bytes(std::span(text)));
   }
 }
@@ -165,7 +173,7 @@ int run(const RenderOptions& o) {
   const Picture picture = render(scene, camera, settings);
   clear_progress(settings.progress);
 
-  write_all(outputs, picture, camera, settings);
+  write_all(o, outputs, picture, camera, settings);
   if (!o.quiet) {
     for (const std::string& note : scene.notes) std::cerr << "velum: note: " << note << '\n';
     print_summary(outputs, picture, view.projection);

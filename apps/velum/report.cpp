@@ -44,11 +44,6 @@ Json counters_json(const Counters& c) {
           {"layers", c.layers}};
 }
 
-/// What the visibility method had to do for it; the only part of a report that differs between methods.
-Json work_json(const Counters& c) {
-  return {{"pixels_tested", c.pixels_tested}, {"spans", c.spans}};
-}
-
 /// The smallest step of depth at the far plane, world units; null if that has no end.
 Json resolution_at_far(const Camera& camera, DepthFormat format) {
   const double step = depth_resolution_at(camera, format, camera.far());
@@ -77,9 +72,12 @@ Json report_of(const Picture& picture, const Camera& camera, const RenderSetting
           {"camera", json_of(camera)},
           {"depth_resolution_at_far", resolution_at_far(camera, settings.depth_format)},
           {"counters", counters_json(picture.counters)},
-          {"work", work_json(picture.counters)},
           {"stages", json_of(camera.viewing_transform(aspect).stages())},
           {"sha256", hashes_json(picture)}};
+}
+
+Json work_of(const Counters& counters) {
+  return {{"pixels_tested", counters.pixels_tested}, {"spans", counters.spans}};
 }
 
 }  // namespace velum_app
