@@ -26,4 +26,11 @@ inline Rect intersect(const Rect& a, const Rect& b) {
           std::max(0, std::min(a.bottom(), b.bottom()) - top)};
 }
 
+/// The smallest rectangle around both. @pre neither is empty
+inline Rect united(const Rect& a, const Rect& b) {
+  const int left = std::min(a.left, b.left);
+  const int top = std::min(a.top, b.top);
+  return {left, top, std::max(a.right(), b.right()) - left, std::max(a.bottom(), b.bottom()) - top};
+}
+
 }  // namespace velum

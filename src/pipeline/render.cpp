@@ -51,7 +51,7 @@ struct Frame {
   Rect rect;
   Renderer::Buffers& buffers;
   Counters& counters;
-  const VisibilityBuffer* previous = nullptr;  ///< depth peeling: the layer in front
+  FragmentLists* lists = nullptr;  ///< where given, all fragments go there and none to the visibility buffer
   double progress_from = 0.0;
   double progress_to = 0.8;
   const Viewport viewport{settings.width, settings.height};
@@ -66,7 +66,7 @@ struct Frame {
       for (std::size_t i = first; i < last; ++i) {
         set_up_one(i, first_primitive + static_cast<std::uint32_t>(i), buffers.screen_triangles);
       }
-      const RasterTarget target{buffers.visibility, rect, previous, settings.depth_format};
+      const RasterTarget target{buffers.visibility, rect, lists, settings.depth_format};
       add(rasterize(buffers.screen_triangles, target, settings, buffers.scanline), counters);
       const double drawn = (first_primitive + static_cast<double>(last)) / scene.primitive_count();
       report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
@@ -107,7 +107,7 @@ struct Frame {
   }
 
   void draw_scene() {
-    buffers.visibility.clear(rect.width, rect.height);
+    if (lists == nullptr) buffers.visibility.clear(rect.width, rect.height);
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) draw_instance(i);
   }
 };
@@ -127,17 +127,45 @@ std::uint64_t pixel_count(const Rect& rect) {
   return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
 }
 
-/// Makes the layer just shown the one to peel off; a closed pixel counts as exhausted, so nothing more is
-/// drawn there.
-void exhaust_closed_pixels(Renderer::Buffers& buffers) {
-  LayerBuffers& layers = buffers.layers;
-  std::swap(layers.previous, buffers.visibility);
-  for (int y = 0; y < layers.previous.height(); ++y) {
-    for (int x = 0; x < layers.previous.width(); ++x) {
-      if (layers.is_open.at(x, y)) continue;
-      layers.previous.reversed_depth.at(x, y) = 0.0f;
-      layers.previous.primitive.at(x, y) = no_primitive;
+/// The most fragments that are kept at a time: each part of the picture that they allow costs another pass
+/// over the scene, which so is at most an eighth of the work.
+std::uint64_t most_fragments(const Scene& scene) {
+  return std::clamp<std::uint64_t>(8 * std::uint64_t{scene.primitive_count()}, std::uint64_t{1} << 20,
+                                   std::uint64_t{1} << 31);
+}
+
+/// Makes what is not translucent the background in the buffer: nothing lies behind that.
+void hide_opaque_pixels(VisibilityBuffer& buffer, const Image<std::uint8_t>& is_translucent) {
+  for (int y = 0; y < buffer.height(); ++y) {
+    for (int x = 0; x < buffer.width(); ++x) {
+      if (is_translucent.at(x, y)) continue;
+      buffer.reversed_depth.at(x, y) = 0.0f;
+      buffer.primitive.at(x, y) = no_primitive;
     }
+  }
+}
+
+/// Shades what lies behind the first layer of the translucent pixels: their fragments are counted, then
+/// gathered and sorted in parts of the picture that the memory allows.
+void shade_behind(Frame frame, const Rect& wanted, ShadeStage& stage, Counters& counters) {
+  FragmentLists& lists = frame.buffers.layers.behind;
+  hide_opaque_pixels(frame.buffers.visibility, frame.buffers.layers.is_translucent);
+  lists.begin_counting(frame.buffers.visibility, frame.rect, wanted);
+  frame.lists = &lists;
+  frame.rect = wanted;
+  frame.progress_from = frame.progress_to;
+  frame.progress_to = 0.82;
+  frame.draw_scene();
+  const std::vector<Rect> parts = lists.parts(most_fragments(frame.scene));
+  const double step = (1.0 - frame.progress_to) / static_cast<double>(parts.size());
+  for (const Rect& part : parts) {
+    lists.begin_storing(part);
+    frame.rect = part;
+    frame.progress_from = frame.progress_to;
+    frame.progress_to += step;
+    frame.draw_scene();
+    lists.sort();
+    stage.shade_behind(lists, part, counters);
   }
 }
 
@@ -158,21 +186,10 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   }
   ShadeStage stage(input, target, buffers.layers);
   stage.shade_first_layer(buffers.visibility, counters);
-  while (stage.open_pixels() > 0 && (settings.layers == 0 || counters.layers < settings.layers)) {
-    exhaust_closed_pixels(buffers);
+  const Rect translucent = stage.translucent_box();
+  if (!translucent.is_empty() && settings.layers != 1) {
     Counters raster_again;  // the geometry is counted once
-    const auto layer = static_cast<double>(counters.layers);
-    Frame{scene,
-          settings,
-          viewing,
-          rect,
-          buffers,
-          raster_again,
-          &buffers.layers.previous,
-          1.0 - 0.2 / layer,
-          1.0 - 0.2 / (layer + 1.0)}
-        .draw_scene();
-    stage.shade_next_layer(buffers.visibility, counters);
+    shade_behind({scene, settings, viewing, rect, buffers, raster_again}, translucent, stage, counters);
   }
   stage.finish();
   report_progress(settings, 1.0);

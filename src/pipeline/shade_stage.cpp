@@ -1,5 +1,6 @@
 #include "shade_stage.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "../shading/wireframe.hpp"
@@ -46,7 +47,7 @@ ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, Lay
 }
 
 void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& counters) {
-  open_pixels_ = 0;
+  translucent_box_ = {};
   layers_.clear(0, 0);  // what an earlier frame of this Renderer gathered
   for (int y = 0; y < buffer.height(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
@@ -63,21 +64,21 @@ void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& cou
   counters.layers = 1;
 }
 
-void ShadeStage::shade_next_layer(const VisibilityBuffer& buffer, Counters& counters) {
-  for (int y = 0; y < buffer.height(); ++y) {
-    for (int x = 0; x < buffer.width(); ++x) {
-      const std::uint32_t primitive = buffer.primitive.at(x, y);
-      if (!layers_.is_open.at(x, y)) continue;
-      if (primitive == no_primitive) {
-        close(x, y);
-        continue;
-      }
-      set_primitive(primitive);
-      add_behind(x, y, colour_of(surface(x, y, buffer.reversed_depth.at(x, y))));
+// Layer after layer, not pixel after pixel: neighbours show the same triangle, which is then set up once.
+void ShadeStage::shade_behind(const FragmentLists& lists, const Rect& part, Counters& counters) {
+  open_part(part);
+  std::uint64_t layers = 1;
+  const std::uint64_t limit = input_.settings.layers;
+  for (; !layers_.open.empty() && (limit == 0 || layers < limit); ++layers) {
+    std::erase_if(layers_.open, [&](const LayerBuffers::OpenPixel& pixel) {
+      const auto list = lists.at(pixel.column + input_.rect.left, pixel.row + input_.rect.top);
+      const std::uint64_t fragment = layers <= list.size() ? list[layers - 1] : 0;
+      if (fragment == 0) return true;
       ++counters.pixels_shaded;
-    }
+      return !shade_further(pixel.column, pixel.row, fragment);
+    });
   }
-  ++counters.layers;
+  counters.layers = std::max(counters.layers, layers);
 }
 
 void ShadeStage::finish() {
@@ -138,23 +139,35 @@ void ShadeStage::write_background(int x, int y) {
 }
 
 void ShadeStage::open(int x, int y) {
-  if (open_pixels_ == 0) layers_.clear(input_.rect.width, input_.rect.height);
-  layers_.is_open.at(x, y) = 1;
+  if (translucent_box_.is_empty()) layers_.clear(input_.rect.width, input_.rect.height);
   layers_.is_translucent.at(x, y) = 1;
-  ++open_pixels_;
+  const Rect pixel{x + input_.rect.left, y + input_.rect.top, 1, 1};
+  translucent_box_ = translucent_box_.is_empty() ? pixel : united(translucent_box_, pixel);
 }
 
-void ShadeStage::close(int x, int y) {
-  layers_.is_open.at(x, y) = 0;
-  --open_pixels_;
+void ShadeStage::open_part(const Rect& part) {
+  layers_.open.clear();
+  for (int y = part.top - input_.rect.top; y < part.bottom() - input_.rect.top; ++y) {
+    for (int x = part.left - input_.rect.left; x < part.right() - input_.rect.left; ++x) {
+      if (!layers_.is_translucent.at(x, y)) continue;
+      layers_.open.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
+    }
+  }
 }
 
-void ShadeStage::add_behind(int x, int y, const glm::vec4& colour) {
+/// @return whether a further layer may still show
+bool ShadeStage::add_behind(int x, int y, const glm::vec4& colour) {
   const float alpha = colour.w > 0.0f ? (colour.w < 1.0f ? colour.w : 1.0f) : 0.0f;
   glm::vec4& front = layers_.colour.at(x, y);
   const float share = (1.0f - front.w) * alpha;
   front = glm::vec4(glm::vec3(front) + glm::vec3(colour) * share, front.w + share);
-  if (alpha >= 1.0f) close(x, y);
+  return alpha < 1.0f;
+}
+
+/// @return whether a further layer may still show
+bool ShadeStage::shade_further(int x, int y, std::uint64_t fragment) {
+  set_primitive(primitive_of(fragment));
+  return add_behind(x, y, colour_of(surface(x, y, reversed_depth_of(fragment))));
 }
 
 void ShadeStage::set_primitive(std::uint32_t primitive) {

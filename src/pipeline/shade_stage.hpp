@@ -6,20 +6,25 @@
 #include "../shading/line_view.hpp"
 #include "../shading/shade.hpp"
 #include "../shading/triangle_view.hpp"
+#include "../visibility/fragment_lists.hpp"
 #include "stages.hpp"
 
 namespace velum {
 
 /// What translucent pixels have gathered so far; untouched while everything seen is opaque.
 struct LayerBuffers {
+  /// A pixel whose colour still lets a further layer through.
+  struct OpenPixel {
+    std::uint16_t column, row;
+  };
+
   Image<glm::vec4> colour;             ///< linear, premultiplied, front to back
-  Image<std::uint8_t> is_open;         ///< 1 where a further layer may still show
   Image<std::uint8_t> is_translucent;  ///< 1 where the first layer is not opaque
-  VisibilityBuffer previous;           ///< the layer last shown; exhausted where no further one is wanted
+  std::vector<OpenPixel> open;         ///< of the part being shaded
+  FragmentLists behind;                ///< what lies behind the first layer
 
   void clear(int width, int height) {
     colour.resize(width, height, glm::vec4(0.0f));
-    is_open.resize(width, height, 0);
     is_translucent.resize(width, height, 0);
   }
 };
@@ -42,9 +47,10 @@ class ShadeStage {
   ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers);
 
   void shade_first_layer(const VisibilityBuffer& buffer, Counters& counters);
-  void shade_next_layer(const VisibilityBuffer& buffer, Counters& counters);
-  /// Pixels whose colour still lets a further layer through.
-  std::uint64_t open_pixels() const { return open_pixels_; }
+  /// The smallest rectangle of picture pixels around all whose first layer is translucent; empty for none.
+  Rect translucent_box() const { return translucent_box_; }
+  /// Shades the further layers of the translucent pixels in a part of the picture, from its sorted lists.
+  void shade_behind(const FragmentLists& lists, const Rect& part, Counters& counters);
   /// Puts translucent pixels over the background and writes them.
   void finish();
 
@@ -62,8 +68,9 @@ class ShadeStage {
   void shade_first(int x, int y, std::uint32_t primitive, float reversed_depth);
   void write_background(int x, int y);
   void open(int x, int y);
-  void close(int x, int y);
-  void add_behind(int x, int y, const glm::vec4& colour);
+  void open_part(const Rect& part);
+  bool add_behind(int x, int y, const glm::vec4& colour);
+  bool shade_further(int x, int y, std::uint64_t fragment);
   void set_primitive(std::uint32_t primitive);
   void set_triangle(const PrimitivePlace& place);
   void set_line(const PrimitivePlace& place);
@@ -79,7 +86,7 @@ class ShadeStage {
   Lighting lighting_;
   std::vector<glm::dmat4> clip_from_object_;
   VisiblePrimitive visible_;
-  std::uint64_t open_pixels_ = 0;
+  Rect translucent_box_;
 };
 
 }  // namespace velum

@@ -5,6 +5,7 @@
 #include "../base/rect.hpp"
 #include "../image/visibility_buffer.hpp"
 #include "depth_format.hpp"
+#include "fragment_lists.hpp"
 
 namespace velum {
 
@@ -13,9 +14,9 @@ struct RasterTarget {
   VisibilityBuffer& buffer;
   Rect rect;  ///< the part of the picture that the buffer holds: buffer pixel (0,0) is picture pixel (left,
               ///< top)
-  /// Depth peeling (Everitt 2001, over (depth, id)): where given, only fragments behind what this buffer
-  /// shows count.
-  const VisibilityBuffer* previous = nullptr;
+  /// Where given, every fragment goes to these lists and nothing to the buffer. Then `rect` is the part of
+  /// the picture that the lists expect.
+  FragmentLists* lists = nullptr;
   DepthFormat format = DepthFormat::reversed;
 };
 

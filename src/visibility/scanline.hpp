@@ -42,7 +42,7 @@ struct ScanlineTables {
 /// buffer's row over (depth, id) decides here, so triangles may come in several calls and in any order.
 ///
 /// With ZInterpolation::plane the buffer is that of rasterize_zbuffer, to the bit.
-/// @pre target.buffer (and target.previous) have target.rect's size; coordinates are within ±2²³
+/// @pre target.buffer has target.rect's size, unless there are target.lists; coordinates are within ±2²³
 RasterCounts rasterize_scanline(std::span<const ScreenTriangle> triangles, const RasterTarget& target,
                                 ZInterpolation z_interpolation, ScanlineTables& tables);
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 
 #include "scanline.hpp"
 #include "span_depth.hpp"
@@ -108,29 +107,20 @@ void update_active_edges(std::int32_t row, const Rect& rect, ScanlineTables& tab
   std::swap(tables.active, tables.merged);
 }
 
-/// (depth, id) as one whole number, larger for what is seen before. Depths are never negative, so their bits
-/// are in the order of their values. The background has 0.
-std::uint64_t nearness(float r, std::uint32_t id) {
-  return (std::uint64_t{std::bit_cast<std::uint32_t>(r)} << 32) | (no_primitive - id);
-}
-
 /// The pixels first ≤ x < end of a row.
 struct Span {
   int row, first, end;
 };
 
-/// Keeps the nearer of a fragment and what the buffer holds. Buffer coordinates.
-void keep_nearer(float r, std::uint32_t id, int column, int row, const RasterTarget& target,
-                 RasterCounts& counts) {
+/// Keeps the nearer of a fragment and what the buffer holds. Picture coordinates.
+void keep_nearer(float r, std::uint32_t id, int x, int y, const RasterTarget& target, RasterCounts& counts) {
   ++counts.fragments;
-  const std::uint64_t fragment = nearness(r, id);
-  const auto nearness_in = [column, row](const VisibilityBuffer& buffer) {
-    return nearness(buffer.reversed_depth.at(column, row), buffer.primitive.at(column, row));
-  };
-  if (target.previous != nullptr && fragment >= nearness_in(*target.previous)) return;
-  if (fragment <= nearness_in(target.buffer)) return;
-  target.buffer.reversed_depth.at(column, row) = r;
-  target.buffer.primitive.at(column, row) = id;
+  if (target.lists != nullptr) return target.lists->add(x, y, r, id);
+  float& buffer_r = target.buffer.reversed_depth.at(x - target.rect.left, y - target.rect.top);
+  std::uint32_t& buffer_id = target.buffer.primitive.at(x - target.rect.left, y - target.rect.top);
+  if (nearness(r, id) <= nearness(buffer_r, buffer_id)) return;
+  buffer_r = r;
+  buffer_id = id;
   ++counts.fragments_written;
 }
 
@@ -145,7 +135,7 @@ void fill(const Span& span, const ScreenTriangle& triangle, const RasterTarget& 
   for (int x = span.first; x < first; ++x) depth.at(x);
   for (int x = first; x < end; ++x) {
     const float r = stored_depth<format>(depth.at(x));
-    keep_nearer(r, triangle.primitive, x - target.rect.left, span.row - target.rect.top, target, counts);
+    keep_nearer(r, triangle.primitive, x, span.row, target, counts);
   }
 }
 

@@ -11,7 +11,7 @@ namespace velum {
 /// all three edge functions (Pineda 1988) are fragments, and the nearer of fragment and buffer stays.
 /// Triangles may come in any order. A triangle that snapping turned over is drawn too, so that no hole opens
 /// beside it.
-/// @pre target.buffer (and target.previous) have target.rect's size
+/// @pre target.buffer has target.rect's size, unless there are target.lists
 RasterCounts rasterize_zbuffer(std::span<const ScreenTriangle> triangles, const RasterTarget& target);
 
 }  // namespace velum

@@ -23,20 +23,15 @@ Rect pixel_box(const std::array<SnappedVertex, 3>& v) {
   return {left, top, last_centre(x_max) - left + 1, last_centre(y_max) - top + 1};
 }
 
-/// Whether depth peeling has already shown this fragment, or one behind it.
-bool is_peeled(const ScreenTriangle& triangle, float r, int x, int y, const VisibilityBuffer& previous) {
-  return !is_nearer(previous.reversed_depth.at(x, y), previous.primitive.at(x, y), r, triangle.primitive);
-}
-
 /// Keeps the nearer of the fragment and what the buffer holds.
 template <DepthFormat format>
 void compare_and_write(const ScreenTriangle& triangle, int x, int y, const RasterTarget& target,
                        RasterCounts& counts) {
   const float r = stored_depth<format>(triangle.depth.at(x, y));
+  ++counts.fragments;
+  if (target.lists != nullptr) return target.lists->add(x, y, r, triangle.primitive);
   const int column = x - target.rect.left;
   const int row = y - target.rect.top;
-  ++counts.fragments;
-  if (target.previous != nullptr && is_peeled(triangle, r, column, row, *target.previous)) return;
   float& buffer_r = target.buffer.reversed_depth.at(column, row);
   std::uint32_t& buffer_id = target.buffer.primitive.at(column, row);
   if (is_nearer(r, triangle.primitive, buffer_r, buffer_id)) {

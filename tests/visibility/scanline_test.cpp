@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <bit>
+#include <functional>
+#include <set>
 #include <vector>
 
 #include "random.hpp"
@@ -37,32 +40,85 @@ int covered(const VisibilityBuffer& buffer) {
   return count;
 }
 
-/// Both methods over one rectangle of the picture, in two calls each, and for `layers` layers of peeling:
-/// the same buffers, the same counts of what both count. Returns the pixels that the first layer covers.
-int check_identity(const Soup& soup, const Rect& rect, int layers = 1,
-                   DepthFormat format = DepthFormat::reversed) {
-  VisibilityBuffer previous;
-  int first_covered = 0;
-  for (int layer = 0; layer < layers; ++layer) {
-    VisibilityBuffer expected(rect.width, rect.height), actual(rect.width, rect.height);
-    const VisibilityBuffer* const behind = layer == 0 ? nullptr : &previous;
-    const std::span<const ScreenTriangle> all(soup);
-    const std::size_t half = soup.size() / 2;
-    ScanlineTables tables;
-    for (const auto& part : {all.first(half), all.subspan(half)}) {
-      const RasterCounts wanted = rasterize_zbuffer(part, {expected, rect, behind, format});
-      const RasterCounts counts =
-          rasterize_scanline(part, {actual, rect, behind, format}, ZInterpolation::plane, tables);
-      CHECK(counts.fragments == wanted.fragments);
-      CHECK(counts.fragments_written == wanted.fragments_written);
-      CHECK(counts.zero_area == wanted.zero_area);
-    }
-    CAPTURE(layer);
-    CHECK(differences(expected, actual) == 0);
-    if (layer == 0) first_covered = covered(expected);
-    previous = actual;
+/// Both methods over one rectangle of the picture, in two calls each: the same buffers, the same counts of
+/// what both count. Returns the pixels that are covered.
+int check_identity(const Soup& soup, const Rect& rect, DepthFormat format = DepthFormat::reversed) {
+  VisibilityBuffer expected(rect.width, rect.height), actual(rect.width, rect.height);
+  const std::span<const ScreenTriangle> all(soup);
+  const std::size_t half = soup.size() / 2;
+  ScanlineTables tables;
+  for (const auto& part : {all.first(half), all.subspan(half)}) {
+    const RasterCounts wanted = rasterize_zbuffer(part, {expected, rect, nullptr, format});
+    const RasterCounts counts =
+        rasterize_scanline(part, {actual, rect, nullptr, format}, ZInterpolation::plane, tables);
+    CHECK(counts.fragments == wanted.fragments);
+    CHECK(counts.fragments_written == wanted.fragments_written);
+    CHECK(counts.zero_area == wanted.zero_area);
   }
-  return first_covered;
+  CHECK(differences(expected, actual) == 0);
+  return covered(expected);
+}
+
+/// What lies behind the first layer, pixel by pixel, with a 0 after each: from lists in parts of at most
+/// `most` fragments, filled by `raster(target)`.
+template <typename Raster>
+std::vector<std::uint64_t> listed(const Rect& rect, VisibilityBuffer& front, DepthFormat format,
+                                  std::uint64_t most, const Raster& raster) {
+  FragmentLists lists;
+  lists.begin_counting(front, rect, rect);
+  raster(RasterTarget{front, rect, &lists, format});
+  std::vector<std::vector<std::uint64_t>> of_pixel(static_cast<std::size_t>(rect.width * rect.height));
+  for (const Rect& part : lists.parts(most)) {
+    lists.begin_storing(part);
+    raster(RasterTarget{front, part, &lists, format});
+    lists.sort();
+    for (int y = part.top; y < part.bottom(); ++y) {
+      for (int x = part.left; x < part.right(); ++x) {
+        const std::span<const std::uint64_t> list = lists.at(x, y);
+        of_pixel[static_cast<std::size_t>((y - rect.top) * rect.width + x - rect.left)].assign(
+            list.begin(), std::find(list.begin(), list.end(), 0u));
+      }
+    }
+  }
+  std::vector<std::uint64_t> all;
+  for (std::vector<std::uint64_t>& list : of_pixel) {
+    all.insert(all.end(), list.begin(), list.end());
+    all.push_back(0);
+  }
+  return all;
+}
+
+/// The oracle: every triangle drawn alone, its fragments sorted, the first of each pixel left out.
+std::vector<std::uint64_t> sorted_fragments(const Soup& soup, const Rect& rect, DepthFormat format) {
+  std::vector<std::set<std::uint64_t, std::greater<>>> of_pixel(
+      static_cast<std::size_t>(rect.width * rect.height));
+  for (const ScreenTriangle& triangle : soup) {
+    VisibilityBuffer alone(rect.width, rect.height);
+    rasterize_zbuffer({&triangle, 1}, {alone, rect, nullptr, format});
+    for (std::size_t i = 0; i < of_pixel.size(); ++i) {
+      const int x = static_cast<int>(i) % rect.width, y = static_cast<int>(i) / rect.width;
+      if (alone.primitive.at(x, y) == no_primitive) continue;
+      of_pixel[i].insert(nearness(alone.reversed_depth.at(x, y), triangle.primitive));
+    }
+  }
+  std::vector<std::uint64_t> all;
+  for (const auto& list : of_pixel) {
+    if (!list.empty()) all.insert(all.end(), std::next(list.begin()), list.end());
+    all.push_back(0);
+  }
+  return all;
+}
+
+/// Both methods list the same fragments behind the first layer, in parts of any size.
+void check_lists(const Soup& soup, const Rect& rect, DepthFormat format = DepthFormat::reversed) {
+  VisibilityBuffer front(rect.width, rect.height);
+  rasterize_zbuffer(soup, {front, rect, nullptr, format});
+  const std::vector<std::uint64_t> expected = sorted_fragments(soup, rect, format);
+  const auto by_zbuffer = [&](const RasterTarget& target) { rasterize_zbuffer(soup, target); };
+  const auto by_scanline = [&](const RasterTarget& target) { rasterize_scanline(soup, target); };
+  CHECK(listed(rect, front, format, 1u << 20, by_zbuffer) == expected);
+  CHECK(listed(rect, front, format, 7, by_zbuffer) == expected);
+  CHECK(listed(rect, front, format, 300, by_scanline) == expected);
 }
 
 /// A depth plane such as a triangle might have; now and then the same for many, so that depths tie.
@@ -157,8 +213,9 @@ void check_soups(int count, std::uint64_t seed) {
     CAPTURE(i);
     const int width = 8 + random.below(60), height = 8 + random.below(60);
     const Soup soup = random_soup(random, 5 + random.below(60), width, height);
-    blank += check_identity(soup, {0, 0, width, height}, 4) == 0;
-    check_identity(soup, random_rect(random, width, height), 2);
+    blank += check_identity(soup, {0, 0, width, height}) == 0;
+    check_lists(soup, {0, 0, width, height});
+    check_identity(soup, random_rect(random, width, height));
   }
   CHECK(blank <= count / 100);
 }
@@ -171,7 +228,7 @@ void check_triangulations(int count, std::uint64_t seed) {
     Triangulation mesh =
         jittered_grid(random, 3 + random.below(16), size, i % 3 == 0 ? 0.7 : 0.45, i % 2 == 0);
     for (ScreenTriangle& triangle : mesh.triangles) triangle.depth = random_plane(random, size);
-    CHECK(check_identity(mesh.triangles, {0, 0, size, size}, 2) == size * size);
+    CHECK(check_identity(mesh.triangles, {0, 0, size, size}) == size * size);
     check_identity(mesh.triangles, random_rect(random, size, size));
   }
 }
@@ -227,7 +284,8 @@ TEST_CASE("coordinates up to 2^23 outside the picture do not overflow") {
     triangle.primitive = i;
     soup.push_back(triangle);
   }
-  CHECK(check_identity(soup, {0, 0, 64, 64}, 3) > 0);
+  CHECK(check_identity(soup, {0, 0, 64, 64}) > 0);
+  check_lists(soup, {0, 0, 64, 64});
   CHECK(check_identity(soup, {16000, 9000, 68, 68}) > 0);
 }
 
@@ -277,8 +335,9 @@ TEST_CASE("every depth format is the same for both methods, peeled too") {
   for (const DepthFormat format :
        {DepthFormat::float_z, DepthFormat::z24, DepthFormat::z16, DepthFormat::z8}) {
     const Soup soup = random_soup(random, 40, 40, 40);
-    check_identity(soup, {0, 0, 40, 40}, 3, format);
-    check_identity(soup, {5, 7, 20, 30}, 2, format);
+    check_identity(soup, {0, 0, 40, 40}, format);
+    check_identity(soup, {5, 7, 20, 30}, format);
+    check_lists(soup, {5, 7, 20, 30}, format);
   }
 }
 
