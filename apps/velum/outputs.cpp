@@ -4,6 +4,8 @@
 #include <string_view>
 #include <velum/image/visibility_buffer.hpp>
 
+#include "text.hpp"
+
 namespace velum_app {
 namespace {
 
@@ -65,6 +67,16 @@ void check_folder(const Output& output) {
               "make it, or give another name");
 }
 
+void check_png_size_of(const Output& output, const Size& size, bool opaque) {
+  const bool is_standard_output = output.path == "-" && output.kind == OutputKind::colour;
+  if (!is_standard_output && !has_extension(output, ".png")) return;
+  if (output.kind == OutputKind::colour) {
+    check_png_size(output.path, size, opaque, "write .ppm, or ask for a crop or a smaller picture");
+  } else {
+    check_png_size(output.path, size, false, "write .npy, or ask for a crop or a smaller picture");
+  }
+}
+
 /// Ids as a picture for the eye: a distinct colour each, the background transparent.
 Image<Rgba8> coloured(ImageView<const std::uint32_t> ids) {
   Image<Rgba8> picture(ids.width, ids.height, Rgba8{0, 0, 0, 0});
@@ -104,6 +116,17 @@ void write_colour(const Output& output, const Image<Rgba8>& colour) {
 
 }  // namespace
 
+void check_png_size(const fs::path& path, const Size& size, bool opaque, const std::string& remedy) {
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+  if (pixels * (opaque ? 3 : 4) <= largest_png_bytes) return;
+  throw Error(ErrorKind::usage,
+              std::to_string(size.width) + "x" + std::to_string(size.height) +
+                  " pixels are more than a PNG can be written with (" +
+                  grouped_text(largest_png_bytes / (opaque ? 3 : 4)) + ")",
+              path == "-" ? "standard output" : path.string(), remedy);
+}
+
 void check_outputs(const std::vector<Output>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     check_extension(outputs[i]);
@@ -116,6 +139,10 @@ void check_outputs(const std::vector<Output>& outputs) {
     }
   }
   for (const Output& output : outputs) check_folder(output);
+}
+
+void check_png_sizes(const std::vector<Output>& outputs, const Size& size, bool opaque) {
+  for (const Output& output : outputs) check_png_size_of(output, size, opaque);
 }
 
 void write_output(const Output& output, const Picture& picture) {

@@ -5,6 +5,8 @@
 #include <vector>
 #include <velum/velum.hpp>
 
+#include "parse_values.hpp"
+
 namespace velum_app {
 
 enum class OutputKind { colour, depth, metric_depth, normals, object_ids, triangle_ids, report };
@@ -20,6 +22,16 @@ struct Output {
 /// go to the same place, and that their folders exist.
 /// @throws velum::Error (usage) naming option and known extensions; (write) for a missing folder
 void check_outputs(const std::vector<Output>& outputs);
+
+/// Demands, before any work begins, that those outputs that are PNGs can hold a picture of so many pixels.
+/// @param opaque  whether the picture has a background that nothing shines through
+/// @throws velum::Error (usage) naming the PNG
+void check_png_sizes(const std::vector<Output>& outputs, const Size& size, bool opaque);
+
+/// @throws velum::Error (usage) if a PNG cannot hold so many pixels
+/// @param remedy  what the person can do besides asking for a smaller picture
+void check_png_size(const std::filesystem::path& path, const Size& size, bool opaque,
+                    const std::string& remedy);
 
 /// Writes one output, whole or not at all. @pre checked, and not the report. @throws velum::Error (write)
 void write_output(const Output& output, const velum::Picture& picture);

@@ -100,7 +100,7 @@ void add_output_options(CLI::App& parser, RenderOptions& o) {
   parser.add_flag("--quiet", o.quiet, "Say nothing but errors")->group("Output");
 }
 
-std::vector<Output> outputs_from(const RenderOptions& o) {
+std::vector<Output> outputs_from(const RenderOptions& o, const RenderSettings& settings) {
   std::vector<Output> outputs;
   outputs.push_back({OutputKind::colour, "-o", o.picture ? *o.picture : stem_of(o.input) + ".png"});
   const auto add = [&outputs](const std::optional<std::string>& path, OutputKind kind, const char* option) {
@@ -112,7 +112,9 @@ std::vector<Output> outputs_from(const RenderOptions& o) {
   add(o.object_ids, OutputKind::object_ids, "--object-ids");
   add(o.triangle_ids, OutputKind::triangle_ids, "--triangle-ids");
   add(o.report, OutputKind::report, "--report");
+  const Rect part = settings.crop.value_or(Rect{0, 0, settings.width, settings.height});
   check_outputs(outputs);
+  check_png_sizes(outputs, {part.width, part.height}, settings.background.a == 255);
   return outputs;
 }
 
@@ -163,8 +165,8 @@ void print_summary(const std::vector<Output>& outputs, const Picture& picture, c
 int run(const RenderOptions& o) {
   // Everything that the command line alone decides is checked before work begins.
   const View view = view_from(o.camera);
-  const std::vector<Output> outputs = outputs_from(o);
   const RenderSettings settings = settings_from(o, view.size);
+  const std::vector<Output> outputs = outputs_from(o, settings);
 
   Scene scene = read_scene(o.input);
   scene.up = view.up_axis();

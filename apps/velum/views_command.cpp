@@ -6,6 +6,7 @@
 
 #include "input.hpp"
 #include "json_values.hpp"
+#include "outputs.hpp"
 #include "parse_values.hpp"
 #include "verb.hpp"
 
@@ -65,6 +66,7 @@ int run(const ViewsOptions& o) {
   const std::string path = o.picture ? *o.picture : stem_of(o.input) + "-views.png";
   check_extension(path, "-o", ".png");
   if (o.report) check_extension(*o.report, "--report", ".json");
+  check_png_size(path, size, true, "ask for a smaller sheet");
 
   Scene scene = read_scene(o.input);
   scene.up = o.world_up == "z" ? UpAxis::z : UpAxis::y;

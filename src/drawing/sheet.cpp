@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "../image/visibility_buffer.hpp"
+#include "../pipeline/memory_need.hpp"
 #include "../pipeline/render.hpp"
 #include "canvas.hpp"
 #include "sheet_layout.hpp"
@@ -88,6 +89,9 @@ Image<Rgba8> lettering(const std::vector<SheetView>& views, const SheetOptions& 
 }  // namespace
 
 Sheet draw_sheet(const Scene& scene, const SheetOptions& options) {
+  // The canvas, what it gives, and the sheet; each view is checked when it is rendered.
+  const std::uint64_t pixel_bytes = sizeof(glm::vec4) + 2 * sizeof(Rgba8);
+  memory_left(pixel_bytes * Image<std::uint8_t>::bytes_for(options.width, options.height), {});
   Sheet sheet;
   sheet.views = place_views(scene, options);
   sheet.picture = lettering(sheet.views, options);

@@ -51,6 +51,8 @@ struct Sheet {
 std::vector<SheetView> place_views(const Scene& scene, const SheetOptions& options);
 
 /// Renders every view in its place, with its name below it and the scale.
+/// @throws Error (usage) if the sheet is too small to hold them; (limit) if it does not fit into half of the
+/// machine's memory
 Sheet draw_sheet(const Scene& scene, const SheetOptions& options);
 
 }  // namespace velum

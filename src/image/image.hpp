@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,11 @@ class Image {
     height_ = height;
     stride_ = padded(width);
     pixels_.assign(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height), value);
+  }
+
+  /// The memory that a picture of this size takes, with its padding.
+  static std::uint64_t bytes_for(int width, int height) {
+    return static_cast<std::uint64_t>(padded(width)) * static_cast<std::uint64_t>(height) * sizeof(T);
   }
 
   int width() const { return width_; }

@@ -16,9 +16,6 @@ namespace {
 constexpr std::array<unsigned char, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 constexpr std::size_t header_end = 33;  // signature, then the IHDR chunk: 4 + 4 + 13 + 4
 
-/// In bytes of pixels: stb counts in int, doubles its output buffer, and reads no more than this back.
-constexpr std::uint64_t largest_picture = std::uint64_t{1} << 30;
-
 /// An sRGB chunk, perceptual intent, ready with length and checksum (PNG specification, 11.3.2.5).
 constexpr std::array<unsigned char, 13> srgb_chunk = {0,   0, 0,    1,    's',  'R', 'G',
                                                       'B', 0, 0xae, 0xce, 0x1c, 0xe9};
@@ -120,7 +117,7 @@ std::vector<std::byte> encode_png(ImageView<const Rgba8> image) {
   const int channels = is_opaque(image) ? 3 : 4;
   const std::uint64_t size = static_cast<std::uint64_t>(image.width) *
                              static_cast<std::uint64_t>(image.height) * (channels == 3 ? 3 : 4);
-  if (size > largest_picture) {
+  if (size > largest_png_bytes) {  // stb counts in int, doubles its output buffer, and reads no more back
     throw Error(ErrorKind::limit, "the picture is too large for PNG", "",
                 "write PPM or NPY, or make it smaller");
   }

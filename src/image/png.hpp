@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -11,8 +12,11 @@
 
 namespace velum {
 
+/// The most bytes of pixels that a PNG is written with: 3 each where all are opaque, else 4.
+inline constexpr std::uint64_t largest_png_bytes = std::uint64_t{1} << 30;
+
 /// 8-bit PNG, marked as sRGB: RGBA with straight alpha, or RGB where every pixel is opaque.
-/// @throws Error (write), or (limit) for more than 2^30 bytes of pixels
+/// @throws Error (write), or (limit) for more than largest_png_bytes
 void write_png(const std::filesystem::path& path, ImageView<const Rgba8> image);
 
 /// Any PNG; grey, palette and 16-bit pictures become RGBA8 (16 bits: the upper byte). Chunk checksums must be

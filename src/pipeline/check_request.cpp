@@ -3,7 +3,6 @@
 #include <string>
 
 #include "../base/error.hpp"
-#include "../base/machine.hpp"
 #include "../visibility/screen_segment.hpp"
 
 namespace velum {
@@ -11,10 +10,6 @@ namespace {
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
-}
-
-std::string mebibytes(std::uint64_t bytes) {
-  return std::to_string((bytes + 1048575) / 1048576) + " MiB";
 }
 
 void check_width(float width, const char* name) {
@@ -85,15 +80,6 @@ void check_widths(const RenderSettings& settings) {
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings) {
   const double aspect = static_cast<double>(settings.width) / settings.height;
   return camera.viewing_transform(aspect, 0.5 / settings.width);
-}
-
-void check_memory(std::uint64_t bytes, const RenderSettings& settings) {
-  const std::uint64_t half = physical_memory() / 2;
-  const std::uint64_t ceiling = settings.memory_ceiling != 0 ? settings.memory_ceiling : half;
-  if (ceiling == 0 || bytes <= ceiling) return;
-  throw Error(ErrorKind::limit,
-              "the outputs need " + mebibytes(bytes) + ", the ceiling is " + mebibytes(ceiling), "size",
-              "ask for a smaller picture, a crop, or a higher memory ceiling");
 }
 
 void check_target(const PictureTarget& target, const Rect& rect) {

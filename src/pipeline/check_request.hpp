@@ -28,9 +28,6 @@ void check_widths(const RenderSettings& settings);
 /// pixel is let pass)
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings);
 
-/// @throws Error (limit) if `bytes` exceeds the settings' ceiling (0: half of the machine's memory)
-void check_memory(std::uint64_t bytes, const RenderSettings& settings);
-
 /// @throws Error (usage) if a view that is wanted does not have the rectangle's size
 void check_target(const PictureTarget& target, const Rect& rect);
 

@@ -7,6 +7,7 @@
 #include "../base/floating_point.hpp"
 #include "check_request.hpp"
 #include "line_stages.hpp"
+#include "memory_need.hpp"
 #include "shade_stage.hpp"
 #include "stages.hpp"
 #include "wireframe_stage.hpp"
@@ -112,26 +113,12 @@ struct Frame {
   }
 };
 
-/// Bytes of the visibility buffer per pixel.
-constexpr std::uint64_t visibility_bytes = sizeof(float) + sizeof(std::uint32_t);
-/// Bytes of all of a Picture's outputs per pixel.
-constexpr std::uint64_t picture_bytes =
-    sizeof(Rgba8) + 2 * sizeof(float) + sizeof(glm::vec3) + 2 * sizeof(std::uint32_t);
-
-/// Bytes of buffers per pixel.
-std::uint64_t buffer_bytes(const RenderSettings& settings) {
-  return settings.wireframe ? 2 * visibility_bytes : visibility_bytes;
-}
-
-std::uint64_t pixel_count(const Rect& rect) {
-  return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
-}
-
 /// The most fragments that are kept at a time: each part of the picture that they allow costs another pass
-/// over the scene, which so is at most an eighth of the work.
-std::uint64_t most_fragments(const Scene& scene) {
-  return std::clamp<std::uint64_t>(8 * std::uint64_t{scene.primitive_count()}, std::uint64_t{1} << 20,
-                                   std::uint64_t{1} << 31);
+/// over the scene, which so is at most an eighth of the work, unless the memory (bytes) forbids it.
+std::uint64_t most_fragments(const Scene& scene, std::uint64_t memory) {
+  const std::uint64_t wanted = std::clamp<std::uint64_t>(8 * std::uint64_t{scene.primitive_count()},
+                                                         std::uint64_t{1} << 20, std::uint64_t{1} << 31);
+  return std::min(wanted, memory / sizeof(std::uint64_t));
 }
 
 /// Makes what is not translucent the background in the buffer: nothing lies behind that.
@@ -146,8 +133,9 @@ void hide_opaque_pixels(VisibilityBuffer& buffer, const Image<std::uint8_t>& is_
 }
 
 /// Shades what lies behind the first layer of the translucent pixels: their fragments are counted, then
-/// gathered and sorted in parts of the picture that the memory allows.
-void shade_behind(Frame frame, const Rect& wanted, ShadeStage& stage, Counters& counters) {
+/// gathered and sorted in parts of the picture that the memory (bytes) allows.
+void shade_behind(Frame frame, const Rect& wanted, std::uint64_t memory, ShadeStage& stage,
+                  Counters& counters) {
   FragmentLists& lists = frame.buffers.layers.behind;
   hide_opaque_pixels(frame.buffers.visibility, frame.buffers.layers.is_translucent);
   lists.begin_counting(frame.buffers.visibility, frame.rect, wanted);
@@ -156,21 +144,21 @@ void shade_behind(Frame frame, const Rect& wanted, ShadeStage& stage, Counters& 
   frame.progress_from = frame.progress_to;
   frame.progress_to = 0.82;
   frame.draw_scene();
-  const std::vector<Rect> parts = lists.parts(most_fragments(frame.scene));
-  const double step = (1.0 - frame.progress_to) / static_cast<double>(parts.size());
-  for (const Rect& part : parts) {
-    lists.begin_storing(part);
-    frame.rect = part;
+  const std::vector<Rect> parts = lists.parts(most_fragments(frame.scene, memory));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    lists.begin_storing(parts[i]);
+    frame.rect = parts[i];
     frame.progress_from = frame.progress_to;
-    frame.progress_to += step;
+    frame.progress_to = 0.82 + 0.18 * static_cast<double>(i + 1) / static_cast<double>(parts.size());
     frame.draw_scene();
     lists.sort();
-    stage.shade_behind(lists, part, counters);
+    stage.shade_behind(lists, parts[i], counters);
   }
 }
 
+/// @param memory  bytes left for lists of fragments
 Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Camera& camera,
-                      const RenderSettings& settings, const PictureTarget& target) {
+                      const RenderSettings& settings, const PictureTarget& target, std::uint64_t memory) {
   const FloatingPointScope floating_point;
   const Rect rect = requested_rect(settings);
   check_method(settings);
@@ -189,7 +177,8 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   const Rect translucent = stage.translucent_box();
   if (!translucent.is_empty() && settings.layers != 1) {
     Counters raster_again;  // the geometry is counted once
-    shade_behind({scene, settings, viewing, rect, buffers, raster_again}, translucent, stage, counters);
+    shade_behind({scene, settings, viewing, rect, buffers, raster_again}, translucent, memory, stage,
+                 counters);
   }
   stage.finish();
   report_progress(settings, 1.0);
@@ -208,6 +197,15 @@ PictureTarget target_of(Picture& picture, const Rect& rect) {
           picture.normal.view(), picture.object_id.view(), picture.triangle_id.view()};
 }
 
+/// Renders into a picture that is given its size first.
+Counters render_picture(Renderer::Buffers& buffers, Picture& picture, const Scene& scene,
+                        const Camera& camera, const RenderSettings& settings) {
+  const Rect rect = requested_rect(settings);
+  const std::uint64_t need = picture_bytes(rect) + buffer_bytes(scene, settings, rect);
+  const std::uint64_t left = memory_left(need, settings);
+  return render_frame(buffers, scene, camera, settings, target_of(picture, rect), left);
+}
+
 }  // namespace
 
 Renderer::Renderer() : buffers_(std::make_unique<Buffers>()) {}
@@ -216,25 +214,21 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Picture& Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
-  const Rect rect = requested_rect(settings);
-  check_memory(pixel_count(rect) * (buffer_bytes(settings) + picture_bytes), settings);
-  const PictureTarget target = target_of(buffers_->picture, rect);
-  buffers_->picture.counters = render_frame(*buffers_, scene, camera, settings, target);
+  buffers_->picture.counters = render_picture(*buffers_, buffers_->picture, scene, camera, settings);
   return buffers_->picture;
 }
 
 Counters Renderer::render_into(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                                const PictureTarget& target) {
-  check_memory(pixel_count(requested_rect(settings)) * buffer_bytes(settings), settings);
-  return render_frame(*buffers_, scene, camera, settings, target);
+  const Rect rect = requested_rect(settings);
+  const std::uint64_t left = memory_left(buffer_bytes(scene, settings, rect), settings);
+  return render_frame(*buffers_, scene, camera, settings, target, left);
 }
 
 Picture render(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
-  const Rect rect = requested_rect(settings);
-  check_memory(pixel_count(rect) * (buffer_bytes(settings) + picture_bytes), settings);
+  Renderer::Buffers buffers;
   Picture picture;
-  const PictureTarget target = target_of(picture, rect);
-  picture.counters = Renderer().render_into(scene, camera, settings, target);
+  picture.counters = render_picture(buffers, picture, scene, camera, settings);
   return picture;
 }
 

@@ -71,6 +71,19 @@ TEST_CASE("a wrong extension ends with 2 before any work and names the known one
   check_refused("render nothere.obj -o cube.gif", 2, ".png or .ppm");
 }
 
+TEST_CASE("a picture that a PNG cannot hold ends with 2 before any work") {
+  check_refused("render nothere.obj --size 32768x8193 -o big.png", 2, "big.png: 32768x8193 pixels");
+  check_refused("render nothere.obj --size 32768x8193 -o -", 2, "standard output");
+  check_refused("render nothere.obj --size 32768x10923 --background '#ffffff'", 2, "nothere.png");
+  check_refused("render nothere.obj --size 32768x8193 -o big.ppm --object-ids i.png", 2, ".npy");
+  check_refused("views nothere.obj --size 32768x10923", 2, "nothere-views.png");
+  // These PNGs can be written; it is the file that is missing.
+  check_refused("render nothere.obj --size 32768x8192", 3, "nothere.obj");
+  check_refused("render nothere.obj --size 32768x10922 --background '#ffffff'", 3, "nothere.obj");
+  check_refused("render nothere.obj --size 32768x8193 -o big.ppm", 3, "nothere.obj");
+  check_refused("render nothere.obj --size 32768x32768 --crop 0,0,64,64", 3, "nothere.obj");
+}
+
 TEST_CASE("two outputs in one place end with 2") {
   check_refused("render builtin:cube -o a.png --object-ids ./a.png", 2, "--object-ids");
   check_refused("render builtin:cube -o - --depth -", 2, "--depth");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <velum/velum.hpp>
 
+#include "pipeline/memory_need.hpp"
 #include "random.hpp"
 
 using namespace velum;
@@ -171,4 +172,21 @@ TEST_CASE("a Renderer that drew a translucent frame draws an opaque one as a new
     for (int x = 0; x < 16; ++x) different += !(again.colour.at(x, y) == fresh.colour.at(x, y));
   }
   CHECK(different == 0);
+}
+
+TEST_CASE("little memory for the fragments changes no byte of a translucent picture") {
+  Random random{24};
+  const Scene scene = scene_of(random_sheets(random, 20));
+  RenderSettings settings = unlit(48);
+  const Picture freely = render(scene, front_camera(), settings);
+  const Rect rect{0, 0, 48, 48};  // nothing is left for lists: a pixel at a time
+  settings.memory_ceiling = picture_bytes(rect) + buffer_bytes(scene, settings, rect);
+  const Picture tightly = render(scene, front_camera(), settings);
+  int different = 0;
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 48; ++x) different += !(freely.colour.at(x, y) == tightly.colour.at(x, y));
+  }
+  CHECK(different == 0);
+  CHECK(freely.counters.layers == tightly.counters.layers);
+  CHECK(freely.counters.pixels_shaded == tightly.counters.pixels_shaded);
 }

@@ -230,6 +230,35 @@ TEST_CASE("requests that cannot be met are errors before work begins") {
   CHECK(kind_of_error(scene, camera, settings) == ErrorKind::limit);
 }
 
+TEST_CASE("the memory ceiling counts padded rows, and what translucent pixels gather") {
+  Scene scene = solids();
+  const Camera camera = view_of(scene, 1.0 / 64);
+  RenderSettings settings = size(1, 64);
+  const auto fits = [&](std::uint64_t bytes) {
+    settings.memory_ceiling = bytes;
+    try {
+      render(scene, camera, settings);
+      return true;
+    } catch (const Error& error) {
+      CHECK(error.kind() == ErrorKind::limit);
+      return false;
+    }
+  };
+  // A row of one pixel is padded to 64 bytes in each image, the normals' to 16 of their 12 bytes: six images
+  // of the picture, two of the visibility buffer.
+  constexpr std::uint64_t opaque = 64 * (7 * 64 + 16 * 12);
+  CHECK(fits(opaque));
+  CHECK_FALSE(fits(opaque - 1));
+  Material glass;
+  glass.alpha = 0.5f;
+  const std::uint32_t material = scene.add_material(glass);
+  scene.add_instance({0, material, glm::dmat4(1.0), "glass"});
+  // Colour, mark and count, padded; a list's end and an open pixel.
+  constexpr std::uint64_t translucent = opaque + 64 * (3 * 64 + 4 + 4);
+  CHECK(fits(translucent));
+  CHECK_FALSE(fits(translucent - 1));
+}
+
 TEST_CASE("the progress callback sees growing shares and can cancel") {
   const Scene scene = solids();
   const Camera camera = view_of(scene, 1.0);
