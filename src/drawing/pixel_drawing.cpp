@@ -25,6 +25,7 @@ constexpr int margin_top = 64;
 constexpr int margin_right = 24;
 constexpr int label_width = 36;  // of a pixel's number with its gap
 constexpr int legend_line = 20;
+constexpr int legend_outcome = 310;  // where a line of the legend says who is seen
 constexpr std::size_t legend_lines = 10;
 
 Rgba8 colour_of(std::uint32_t id) {
@@ -59,7 +60,7 @@ class Sheet {
         shown_{pixel.x - drawing.radius, pixel.y - drawing.radius, 2 * drawing.radius + 1,
                2 * drawing.radius + 1},
         inside_(intersect(shown_, whole)),
-        canvas_(margin_left + shown_.width * cell_ + margin_right,
+        canvas_(std::max(margin_left + shown_.width * cell_ + margin_right, legend_width()),
                 margin_top + shown_.height * cell_ + legend_height(), paper) {}
 
   const Rect& inside() const { return inside_; }
@@ -77,6 +78,14 @@ class Sheet {
   Image<Rgba8> picture() const { return canvas_.picture(); }
 
  private:
+  /// As wide as the longest line of the legend.
+  int legend_width() const {
+    int longest = 0;
+    for (const CoveringFragment& fragment : pixel_.fragments)
+      longest = std::max(longest, Canvas::text_width(outcome_text(fragment), 2));
+    return margin_left + legend_outcome + longest + margin_right;
+  }
+
   int legend_height() const {
     const std::size_t lines = std::min(pixel_.fragments.size(), legend_lines) + 1;
     return legend_line * static_cast<int>(lines + 1);
@@ -145,7 +154,7 @@ class Sheet {
     canvas_.rectangle(0, 0, canvas_.width(), margin_top, paper);
     canvas_.rectangle(0, bottom, canvas_.width(), canvas_.height() - bottom, paper);
     canvas_.rectangle(0, 0, margin_left, canvas_.height(), paper);
-    canvas_.rectangle(right, 0, margin_right, canvas_.height(), paper);
+    canvas_.rectangle(right, 0, canvas_.width() - right, canvas_.height(), paper);
     const int step = (label_width + cell_ - 1) / cell_;
     for (int i = pixel_.x - shown_.left; i < shown_.width; i += step) draw_numbers(i);
     for (int i = pixel_.x - shown_.left - step; i >= 0; i -= step) draw_numbers(i);
@@ -167,8 +176,7 @@ class Sheet {
     const std::string title = "pixel " + std::to_string(pixel_.x) + "," + std::to_string(pixel_.y);
     canvas_.text({margin_left, 16}, title, 2, sought);
     double y = margin_top + shown_.height * cell_ + 12;
-    if (pixel_.fragments.empty())
-      canvas_.text({margin_left, y}, "background: nothing covers the centre", 2, ink);
+    if (pixel_.fragments.empty()) canvas_.text({margin_left, y}, "background", 2, ink);
     for (std::size_t i = 0; i < pixel_.fragments.size(); ++i, y += legend_line) {
       if (i == legend_lines) {
         const std::size_t more = pixel_.fragments.size() - legend_lines;
@@ -179,7 +187,7 @@ class Sheet {
       canvas_.rectangle(margin_left, static_cast<int>(y) - 1, 16, 16, colour_of(fragment.primitive));
       canvas_.text({margin_left + 26, y}, std::to_string(fragment.primitive), 2, ink);
       canvas_.text({margin_left + 150, y}, "r=" + short_number(fragment.reversed_depth, 6), 2, ink);
-      canvas_.text({margin_left + 310, y}, outcome_text(fragment), 2, ink);
+      canvas_.text({margin_left + legend_outcome, y}, outcome_text(fragment), 2, ink);
     }
   }
 
