@@ -77,6 +77,18 @@ GoldenScene filtered(std::string name, TextureFilter filter) {
   return result;
 }
 
+/// A plane of unit squares, 256 units deep: near ones are many pixels wide, and of those at the horizon a
+/// hundred fall into each pixel.
+GoldenScene horizon(std::string name, TextureFilter filter) {
+  GoldenScene result =
+      with_placement(std::move(name), load_scene("builtin:checkerboard"), Placement::to_horizon);
+  result.settings = sized(160, 120);
+  result.settings.background = {120, 160, 210, 255};
+  result.settings.texture_filter = filter;
+  result.projections = {"perspective"};
+  return result;
+}
+
 GoldenScene large_triangles() {
   GoldenScene result = entry("large", large());
   result.settings = sized(200, 150, Shading::flat);
@@ -135,6 +147,9 @@ std::vector<GoldenScene> golden_scenes() {
       textures(),
       filtered("textured-nearest", TextureFilter::nearest),
       filtered("textured-bilinear", TextureFilter::bilinear),
+      horizon("horizon-nearest", TextureFilter::nearest),
+      horizon("horizon-bilinear", TextureFilter::bilinear),
+      horizon("horizon-trilinear", TextureFilter::trilinear),
       entry("from-text", from_text()),
       smoothly_lit(),
       entry("far-away", far_away()),
@@ -177,6 +192,12 @@ Camera GoldenPicture::camera() const {
       options.eye = middle;
       options.target = middle + kind.look;
       options.near = 0.05;
+      break;
+    case Placement::to_horizon:
+      options.eye = glm::dvec3(middle.x + 0.3, middle.y + 1.5, scene->scene.bounds().upper.z);
+      options.target = *options.eye + glm::dvec3(0.05, -0.25, -1.0);
+      options.vertical_angle = radians(45.0);
+      options.near = 0.5;
       break;
   }
   return frame(scene->framed, kind, options);

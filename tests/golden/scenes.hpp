@@ -10,9 +10,10 @@ namespace golden {
 
 /// How the camera is placed with respect to what it looks at.
 enum class Placement {
-  around,      ///< the whole is seen
-  cut,         ///< the near plane cuts through the middle, the far plane takes the last tenth
-  from_inside  ///< the camera stands in the middle of the box and looks the projection's way
+  around,       ///< the whole is seen
+  cut,          ///< the near plane cuts through the middle, the far plane takes the last tenth
+  from_inside,  ///< the camera stands in the middle of the box and looks the projection's way
+  to_horizon    ///< the camera stands 1.5 above the box's front edge and looks over it, a little down
 };
 
 struct GoldenScene {
