@@ -33,7 +33,12 @@ constexpr const char* footer =
 std::uint32_t triangle_from(const std::string& text, const Scene& scene) {
   const std::uint32_t count = scene.primitive_count();
   const auto number = whole_number_from(text, "--triangle");
-  if (number < count) return static_cast<std::uint32_t>(number);
+  if (number < count) {
+    const auto primitive = static_cast<std::uint32_t>(number);
+    if (scene.place(primitive).kind == PrimitiveKind::triangle) return primitive;
+    throw Error(ErrorKind::usage, "primitive " + text + " is a segment or a point", "--triangle",
+                "give the id of a triangle; velum pixel shows which is seen where");
+  }
   throw Error(
       ErrorKind::usage, "there is no triangle " + text, "--triangle",
       count == 0 ? "the scene has no triangles" : "give a number from 0 to " + std::to_string(count - 1));

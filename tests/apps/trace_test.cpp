@@ -104,6 +104,7 @@ TEST_CASE("velum pixel knows segments and points, velum clip-trace only triangle
   CHECK(contains(text, "loses to point 1"));
   const Outcome refused = place.velum("clip-trace lines.obj --triangle 0");
   CHECK(refused.code == 2);
+  CHECK(contains(refused.err, "--triangle"));
   CHECK(contains(refused.err, "is a segment or a point"));
 }
 
