@@ -1,7 +1,15 @@
 # The libraries velum stands on. Installed packages are used; with VELUM_FETCH_DEPENDENCIES=ON those that are
-# missing are downloaded (header-only, all of them). A downloaded GLM cannot be part of velum's exported
-# targets, so there are no install rules then.
+# missing are downloaded. What was downloaded cannot be part of velum's exported targets, so there are no
+# install rules then. oneTBB is never downloaded: where it is not installed, -DVELUM_TBB=OFF takes std::thread.
+find_package(Threads REQUIRED)
+if(VELUM_TBB)
+  find_package(TBB QUIET)
+  if(NOT TARGET TBB::tbb)
+    message(FATAL_ERROR "oneTBB is not installed: install it (libtbb-dev), or take std::thread with -DVELUM_TBB=OFF")
+  endif()
+endif()
 if(NOT VELUM_FETCH_DEPENDENCIES)
+  find_package(hwy REQUIRED)
   find_package(glm REQUIRED)
   find_package(FastFloat REQUIRED)
   find_path(STB_INCLUDE_DIR NAMES stb_image.h PATH_SUFFIXES stb REQUIRED)
@@ -38,4 +46,15 @@ find_path(STB_INCLUDE_DIR NAMES stb_image.h PATH_SUFFIXES stb)
 if(NOT STB_INCLUDE_DIR)
   velum_fetch_headers(velum_stb https://github.com/nothings/stb/archive/8b5f1f37b5b75829fc72d38e7b5d4bcbf8a26d55.tar.gz velum_stb_dir)
   set(STB_INCLUDE_DIR ${velum_stb_dir})
+endif()
+
+find_package(hwy QUIET)
+if(NOT TARGET hwy::hwy)
+  set(HWY_ENABLE_TESTS OFF)
+  set(HWY_ENABLE_EXAMPLES OFF)
+  set(HWY_ENABLE_CONTRIB OFF)
+  FetchContent_Declare(hwy URL https://github.com/google/highway/archive/refs/tags/1.0.3.tar.gz DOWNLOAD_EXTRACT_TIMESTAMP ON)
+  FetchContent_MakeAvailable(hwy)
+  add_library(hwy::hwy ALIAS hwy)
+  set(VELUM_INSTALL OFF)
 endif()
