@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../base/rect.hpp"
+#include "raster_target.hpp"
+#include "raster_triangle.hpp"
+#include "screen_triangle.hpp"
+#include "tile_buffer.hpp"
+
+namespace velum {
+
+/// The tiles that cover the part of the picture being rendered, row by row from its top left corner.
+struct TileGrid {
+  Rect target;
+  int columns = 0;
+  int rows = 0;
+
+  explicit TileGrid(const Rect& rect)
+      : target(rect),
+        columns((rect.width + tile_size - 1) / tile_size),
+        rows((rect.height + tile_size - 1) / tile_size) {}
+  int count() const { return columns * rows; }
+  int left(int tile) const { return target.left + tile % columns * tile_size; }
+  int top(int tile) const { return target.top + tile / columns * tile_size; }
+};
+
+/// Screen triangles sorted by the tiles they meet; the memory is kept from use to use.
+struct TileBins {
+  std::vector<RasterTriangle> triangles;
+  std::vector<std::uint32_t> first_entry;  ///< of each tile; one more at the end
+  std::vector<std::uint32_t> entries;      ///< indices of triangles, tile after tile, in their order
+
+  void clear();
+  std::span<const std::uint32_t> of_tile(int tile) const {
+    const auto i = static_cast<std::size_t>(tile);
+    return std::span(entries).subspan(first_entry[i], first_entry[i + 1] - first_entry[i]);
+  }
+};
+
+/// Appends the triangle, turned clockwise, if a pixel centre of the target lies in its box.
+/// @return false if it has no area on the pixel grid
+bool append_triangle(const ScreenTriangle& triangle, const Rect& target, TileBins& bins);
+
+/// Fills first_entry and entries from the triangles, by counting.
+void sort_into_tiles(const TileGrid& grid, TileBins& bins);
+
+}  // namespace velum

@@ -1,0 +1,165 @@
+#include "visibility/tile_raster.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <memory>
+#include <vector>
+
+#include "random.hpp"
+#include "visibility/tile_bins.hpp"
+#include "visibility/tile_transfer.hpp"
+#include "visibility/zbuffer.hpp"
+
+using namespace velum;
+
+namespace {
+
+using Soup = std::vector<ScreenTriangle>;
+
+/// Draws through bins and tiles, in two halves so that tiles are loaded again.
+VisibilityBuffer by_tiles(const Soup& soup, const Rect& rect, Isa isa, TileCounts& counts) {
+  VisibilityBuffer buffer(rect.width, rect.height);
+  const auto tile = std::make_unique<TileBuffer>();
+  const TileGrid grid(rect);
+  const std::size_t half = soup.size() / 2;
+  for (const auto& part : {std::span(soup).first(half), std::span(soup).subspan(half)}) {
+    TileBins bins;
+    for (const ScreenTriangle& triangle : part) append_triangle(triangle, rect, bins);
+    sort_into_tiles(grid, bins);
+    for (int i = 0; i < grid.count(); ++i) {
+      const auto entries = bins.of_tile(i);
+      load_tile(buffer, rect, grid.left(i), grid.top(i), *tile);
+      tile_raster(isa)({bins.triangles.data(), entries.data(), entries.size()}, grid.left(i), grid.top(i),
+                       *tile, counts);
+      store_tile(*tile, rect, grid.left(i), grid.top(i), buffer);
+    }
+  }
+  return buffer;
+}
+
+/// The number of pixels whose bits differ.
+int differences(const VisibilityBuffer& a, const VisibilityBuffer& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      count += std::bit_cast<std::uint32_t>(a.reversed_depth.at(x, y)) !=
+                   std::bit_cast<std::uint32_t>(b.reversed_depth.at(x, y)) ||
+               a.primitive.at(x, y) != b.primitive.at(x, y);
+    }
+  }
+  return count;
+}
+
+/// Every instruction set of this machine against the reference.
+TileCounts check_identity(const Soup& soup, const Rect& rect) {
+  VisibilityBuffer expected(rect.width, rect.height);
+  rasterize_zbuffer(soup, {expected, rect});
+  TileCounts first;
+  for (const Isa isa : available_isas()) {
+    if (isa == Isa::reference) continue;
+    CAPTURE(name_of(isa));
+    TileCounts counts;
+    CHECK(differences(by_tiles(soup, rect, isa, counts), expected) == 0);
+    if (isa == Isa::emulated) first = counts;
+    CHECK(counts.hidden_triangles == first.hidden_triangles);
+    CHECK(counts.hidden_blocks == first.hidden_blocks);
+    CHECK(counts.drawn_blocks == first.drawn_blocks);
+  }
+  return first;
+}
+
+/// A depth plane over the triangle: few distinct values, so that ties are frequent, or any.
+DepthPlane random_plane(Random& random, int width, int height) {
+  DepthPlane plane;
+  plane.x_ref = random.below(width);
+  plane.y_ref = random.below(height);
+  plane.lower = 0.0f;
+  plane.upper = 1.0f;
+  if (random.below(2) == 0) {
+    plane.r_ref = static_cast<float>(random.below(4)) * 0.25f;
+    plane.lower = plane.upper = plane.r_ref;
+    return plane;
+  }
+  plane.r_ref = static_cast<float>(random.uniform(0.0, 1.0));
+  plane.dx = static_cast<float>(random.uniform(-1.0, 1.0) * 0.01);
+  plane.dy = static_cast<float>(random.uniform(-1.0, 1.0) * 0.01);
+  plane.lower = static_cast<float>(random.uniform(0.0, 0.3));
+  plane.upper = static_cast<float>(random.uniform(0.6, 1.0));
+  return plane;
+}
+
+/// Triangles of a given size in pixels; the ids fall, so that later ones win ties.
+Soup random_soup(Random& random, int count, double size, int width, int height) {
+  Soup soup;
+  for (int i = 0; i < count; ++i) {
+    ScreenTriangle triangle;
+    const double x = random.uniform(-0.1, 1.1) * width;
+    const double y = random.uniform(-0.1, 1.1) * height;
+    const bool on_grid = random.below(4) == 0;
+    for (SnappedVertex& v : triangle.vertices) {
+      v.x = static_cast<std::int32_t>((x + random.uniform(-size, size)) * subpixels);
+      v.y = static_cast<std::int32_t>((y + random.uniform(-size, size)) * subpixels);
+      if (on_grid) v = {v.x & ~127, v.y & ~127};
+    }
+    triangle.depth = random_plane(random, width, height);
+    triangle.primitive = i % 7 == 0 ? 0x80000000u - static_cast<std::uint32_t>(i)
+                                    : 0x80000000u + static_cast<std::uint32_t>(count - i);
+    soup.push_back(triangle);
+  }
+  return soup;
+}
+
+}  // namespace
+
+TEST_CASE("Tiles hold what the reference z-buffer holds, for triangles of every size") {
+  Random random{7};
+  for (const double size : {0.6, 2.0, 6.0, 20.0, 90.0, 400.0}) {
+    CAPTURE(size);
+    check_identity(random_soup(random, 600, size, 300, 200), {0, 0, 300, 200});
+  }
+}
+
+TEST_CASE("Tiles of a crop hold the same pixels") {
+  Random random{8};
+  check_identity(random_soup(random, 500, 30.0, 300, 200), {37, 21, 150, 113});
+}
+
+TEST_CASE("Hidden triangles and blocks are left out, and counted alike by every kernel") {
+  Random random{9};
+  Soup soup = random_soup(random, 400, 40.0, 256, 192);
+  ScreenTriangle wall;
+  wall.vertices = {SnappedVertex{-1000, -1000}, {300 * 512, -1000}, {-1000, 300 * 512}};
+  wall.depth = {0.9f, 0.0f, 0.0f, 0, 0, 0.9f, 0.9f};
+  wall.primitive = 5;
+  soup.insert(soup.begin(), wall);
+  const TileCounts counts = check_identity(soup, {0, 0, 256, 192});
+  CHECK(counts.hidden_triangles > 100);
+  CHECK(counts.drawn_blocks > 100);
+}
+
+TEST_CASE("Tiles of the largest picture") {
+  // Slivers and giants over 32768² pixels; only a strip is drawn.
+  Random random{10};
+  Soup soup = random_soup(random, 60, 30000.0, 32768, 32768);
+  for (ScreenTriangle& triangle : soup) {
+    for (SnappedVertex& v : triangle.vertices) {
+      v.x = std::clamp(v.x, 0, 32768 * subpixels);
+      v.y = std::clamp(v.y, 0, 32768 * subpixels);
+    }
+  }
+  for (const Rect& rect : {Rect{0, 0, 200, 130}, Rect{32600, 32700, 168, 68}, Rect{16000, 15990, 150, 100}}) {
+    check_identity(soup, rect);
+  }
+}
+
+TEST_CASE("[long] Tiles hold what the reference z-buffer holds: many soups") {
+  Random random{11};
+  for (int round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    const double size = 0.3 * static_cast<double>(1 << random.below(10));
+    const int width = 40 + random.below(200), height = 30 + random.below(150);
+    check_identity(random_soup(random, 100 + random.below(300), size, width, height),
+                   {random.below(30), random.below(20), width - 30, height - 20});
+  }
+}
