@@ -11,6 +11,8 @@
 #include "base/counters.hpp"
 #include "base/elementary.hpp"
 #include "base/error.hpp"
+#include "base/executor.hpp"
+#include "base/isa.hpp"
 #include "clipping/clip_polygon.hpp"
 #include "clipping/clip_segment.hpp"
 #include "drawing/canvas.hpp"

@@ -38,8 +38,6 @@ Json counters_json(const Counters& c) {
           {"screen_triangles", c.screen_triangles},
           {"zero_area", c.zero_area},
           {"reversed", c.reversed},
-          {"fragments", c.fragments},
-          {"fragments_written", c.fragments_written},
           {"pixels_shaded", c.pixels_shaded},
           {"layers", c.layers}};
 }
@@ -77,7 +75,13 @@ Json report_of(const Picture& picture, const Camera& camera, const RenderSetting
 }
 
 Json work_of(const Counters& counters) {
-  return {{"pixels_tested", counters.pixels_tested}, {"spans", counters.spans}};
+  return {{"hidden_triangles", counters.hidden_triangles},
+          {"hidden_blocks", counters.hidden_blocks},
+          {"drawn_blocks", counters.drawn_blocks},
+          {"pixels_tested", counters.pixels_tested},
+          {"spans", counters.spans},
+          {"fragments", counters.fragments},
+          {"fragments_written", counters.fragments_written}};
 }
 
 }  // namespace velum_app

@@ -19,6 +19,12 @@ const std::map<std::string, DepthFormat> depth_format_names{{"reversed", DepthFo
                                                             {"16", DepthFormat::z16},
                                                             {"8", DepthFormat::z8}};
 
+std::map<std::string, Isa> isa_names() {
+  std::map<std::string, Isa> names{{name_of(Isa::best), Isa::best}};
+  for (const Isa isa : available_isas()) names.emplace(name_of(isa), isa);
+  return names;
+}
+
 }  // namespace
 
 void VisibilityOptions::add_to(CLI::App& parser) {
@@ -34,12 +40,20 @@ void VisibilityOptions::add_to(CLI::App& parser) {
       .add_option("--depth-format", depth_format,
                   "For teaching: reversed (default), float, or that many bits: 24, 16, 8")
       ->check(CLI::IsMember(&depth_format_names));
+  parser.add_option("--threads", threads, "How many threads; the bytes are the same (default: 0, all)")
+      ->check(CLI::Range(0, most_threads))
+      ->type_name("N");
+  parser
+      .add_option("--isa", isa, "Which instructions of this machine; the bytes are the same (default: best)")
+      ->check(CLI::IsMember(isa_names()));
 }
 
 void VisibilityOptions::apply_to(RenderSettings& settings) const {
   settings.visibility = method_names.at(method);
   settings.z_interpolation = z_interpolation_names.at(z_interpolation);
   settings.depth_format = depth_format_names.at(depth_format);
+  settings.threads = threads;
+  settings.isa = isa_names().at(isa);
 }
 
 }  // namespace velum_app

@@ -6,11 +6,13 @@
 
 namespace velum_app {
 
-/// `--visibility`, `--z-interpolation` and `--depth-format`, as given.
+/// `--visibility` and what tells how it works, as given.
 struct VisibilityOptions {
   std::string method = "zbuffer";
   std::string z_interpolation = "plane";
   std::string depth_format = "reversed";
+  std::string isa = "best";
+  int threads = 0;
 
   void add_to(CLI::App& parser);
   void apply_to(velum::RenderSettings& settings) const;

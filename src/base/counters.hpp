@@ -28,13 +28,21 @@ struct Counters {
   std::uint64_t screen_triangles = 0;    ///< pieces that reached the raster; two for a segment or point
   std::uint64_t zero_area = 0;           ///< pieces without area on the pixel grid
   std::uint64_t reversed = 0;            ///< slivers that snapping turned over
-  std::uint64_t pixels_tested = 0;       ///< pixel centres looked at: zbuffer: in boxes; scanline: in spans
-  std::uint64_t spans = 0;               ///< runs of covered centres on a row (scanline)
-  std::uint64_t fragments = 0;           ///< pixel centres covered, each compared with the depth buffer
-  std::uint64_t fragments_written = 0;   ///< fragments nearer than what the depth buffer held
-  std::uint64_t pixels_shaded = 0;       ///< visible fragments shaded: one per pixel and layer
+  // What one method does and another does not; 0 where it is not counted.
+  std::uint64_t hidden_triangles = 0;  ///< vector z-buffer: left out of a tile, behind all that stands there
+  std::uint64_t hidden_blocks = 0;     ///< vector z-buffer: 8×8 blocks of larger triangles left out likewise
+  std::uint64_t drawn_blocks = 0;      ///< vector z-buffer: 8×8 blocks of larger triangles looked at
+  std::uint64_t pixels_tested = 0;     ///< centres looked at: plain z-buffer: in boxes; scanline: in spans
+  std::uint64_t spans = 0;             ///< scanline: runs of covered centres on a row
+  std::uint64_t fragments = 0;  ///< plain z-buffer, scanline: centres covered, compared with the buffer
+  std::uint64_t fragments_written = 0;  ///< plain z-buffer, scanline: nearer than what the buffer held
+
+  std::uint64_t pixels_shaded = 0;  ///< visible fragments shaded: one per pixel and layer
 
   std::uint64_t layers = 0;  ///< depth peeling: layers shaded until nothing shone through
+
+  /// Sums everything up; of the layers, the most.
+  Counters& operator+=(const Counters& other);
 
   /// The share of triangles removed because they face away, 0…1; 0 for no triangles.
   double culled_share() const {

@@ -77,6 +77,20 @@ void check_widths(const RenderSettings& settings) {
   check_width(settings.point_size, "point size");
 }
 
+void check_machine(const RenderSettings& settings) {
+  if (settings.threads < 0 || settings.threads > most_threads) {
+    throw Error(
+        ErrorKind::usage, std::to_string(settings.threads) + " threads cannot be had", "threads",
+        "give a number from 1 to " + std::to_string(most_threads) + ", or 0 for all of the machine's");
+  }
+  if (is_available(settings.isa)) return;
+  std::string available;
+  for (const Isa isa : available_isas()) available += std::string(" ") + name_of(isa);
+  throw Error(ErrorKind::usage,
+              std::string("this machine, or this build of velum, has no ") + name_of(settings.isa), "isa",
+              "choose best, or one of:" + available);
+}
+
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings) {
   const double aspect = static_cast<double>(settings.width) / settings.height;
   return camera.viewing_transform(aspect, 0.5 / settings.width);

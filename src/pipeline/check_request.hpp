@@ -24,6 +24,10 @@ void check_method(const RenderSettings& settings);
 /// @throws Error (usage) for a line width or point size out of range
 void check_widths(const RenderSettings& settings);
 
+/// @throws Error (usage) for a number of threads out of range, or an instruction set that this machine or
+/// this build has not
+void check_machine(const RenderSettings& settings);
+
 /// The composite for this picture. @throws Error (usage) if the camera insists on another aspect (half a
 /// pixel is let pass)
 ViewingTransform requested_view(const Camera& camera, const RenderSettings& settings);

@@ -10,6 +10,7 @@
 #include "memory_need.hpp"
 #include "shade_stage.hpp"
 #include "stages.hpp"
+#include "tile_stage.hpp"
 #include "wireframe_stage.hpp"
 
 namespace velum {
@@ -21,6 +22,10 @@ struct Renderer::Buffers {
   ScanlineTables scanline;
   VisibilityBuffer visibility;
   WireframeBuffers wireframe;
+  TileStageBuffers tiles;
+  Executor executor;
+  int threads = 1;  ///< as asked for; 0: all
+  ExecutorKind executor_kind = ExecutorKind::tbb;
   LayerBuffers layers;
   Picture picture;
 };
@@ -107,8 +112,22 @@ struct Frame {
     draw_lines(mesh, scene.first_primitive(index));
   }
 
+  /// The vector kernels know the definition's depth only, and no lists.
+  bool is_for_tiles() const {
+    return settings.visibility == VisibilityMethod::zbuffer && settings.isa != Isa::reference &&
+           settings.depth_format == DepthFormat::reversed && lists == nullptr;
+  }
+
   void draw_scene() {
     if (lists == nullptr) buffers.visibility.clear(rect.width, rect.height);
+    if (is_for_tiles()) {
+      const std::function<void(double)> progress = [this](double drawn) {
+        report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
+      };
+      draw_in_tiles({scene, viewing, settings, rect, buffers.executor, progress}, buffers.tiles,
+                    buffers.visibility, counters);
+      return;
+    }
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) draw_instance(i);
   }
 };
@@ -156,6 +175,15 @@ void shade_behind(Frame frame, const Rect& wanted, std::uint64_t memory, ShadeSt
   }
 }
 
+/// Has as many threads at hand as are asked for.
+void prepare(Renderer::Buffers& buffers, const RenderSettings& settings) {
+  const bool as_before = buffers.threads == settings.threads && buffers.executor_kind == settings.executor;
+  if (as_before) return;
+  buffers.executor = Executor(settings.threads, settings.executor);
+  buffers.threads = settings.threads;
+  buffers.executor_kind = settings.executor;
+}
+
 /// @param memory  bytes left for lists of fragments
 Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Camera& camera,
                       const RenderSettings& settings, const PictureTarget& target, std::uint64_t memory) {
@@ -163,7 +191,9 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   const Rect rect = requested_rect(settings);
   check_method(settings);
   check_widths(settings);
+  check_machine(settings);
   const ViewingTransform viewing = requested_view(camera, settings);
+  prepare(buffers, settings);
   check_target(target, rect);
   Counters counters;
   Frame{scene, settings, viewing, rect, buffers, counters}.draw_scene();

@@ -4,6 +4,8 @@
 #include <functional>
 #include <optional>
 
+#include "../base/executor.hpp"
+#include "../base/isa.hpp"
 #include "../base/rect.hpp"
 #include "../image/colour.hpp"
 #include "../shading/shading.hpp"
@@ -24,6 +26,9 @@ enum class Cull { none, back, front };
 /// cancelled).
 using Progress = std::function<bool(double)>;
 
+/// The most threads that can be asked for.
+inline constexpr int most_threads = 1024;
+
 struct RenderSettings {
   int width = 800;  ///< pixels, 1 … 32768
   int height = 600;
@@ -41,6 +46,9 @@ struct RenderSettings {
   bool wireframe = false;      ///< edges of the triangles over the picture, hidden ones removed
   std::uint64_t layers = 0;    ///< most translucent layers blended per pixel; 0: until exhausted
   std::optional<Rect> crop{};  ///< render only these pixels of the picture; equals the same part of the whole
+  int threads = 0;  ///< how many run at once, up to most_threads; 0: as the machine has. Same bytes
+  ExecutorKind executor = ExecutorKind::tbb;  ///< who runs them
+  Isa isa = Isa::best;                        ///< instructions of the vector kernels; the bytes are the same
   std::uint64_t memory_ceiling = 0;  ///< bytes for outputs and buffers; 0: half of the machine's memory
   Progress progress{};
 };

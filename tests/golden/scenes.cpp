@@ -203,9 +203,22 @@ Camera GoldenPicture::camera() const {
   return frame(scene->framed, kind, options);
 }
 
+std::vector<Mode> machine_modes() {
+  std::vector<Mode> modes;
+  for (const Isa isa : available_isas()) {
+    for (const int threads : {1, 2, 7}) {
+      modes.push_back({std::string("zbuffer, ") + name_of(isa) + ", " + std::to_string(threads) + " threads",
+                       VisibilityMethod::zbuffer, isa, threads});
+    }
+  }
+  return modes;
+}
+
 Picture GoldenPicture::render(const Mode& mode) const {
   RenderSettings settings = scene->settings;
   settings.visibility = mode.method;
+  settings.isa = mode.isa;
+  settings.threads = mode.threads;
   return velum::render(scene->scene, camera(), settings);
 }
 

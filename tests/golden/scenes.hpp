@@ -31,8 +31,13 @@ std::vector<GoldenScene> golden_scenes();
 struct Mode {
   std::string name;
   velum::VisibilityMethod method;
+  velum::Isa isa = velum::Isa::best;
+  int threads = 0;
 };
 const std::vector<Mode>& golden_modes();
+/// The z-buffer with every instruction set that this machine has, the plain one among them, on 1, 2 and 7
+/// threads.
+std::vector<Mode> machine_modes();
 
 /// One picture of the table.
 struct GoldenPicture {

@@ -60,6 +60,7 @@ void check_same(const Picture& a, const Picture& b) {
 
 void check_methods(const Scene& scene, const Camera& camera, RenderSettings settings) {
   settings.visibility = VisibilityMethod::zbuffer;
+  settings.isa = Isa::reference;
   const Picture expected = render(scene, camera, settings);
   settings.visibility = VisibilityMethod::scanline;
   const Picture actual = render(scene, camera, settings);

@@ -1,0 +1,39 @@
+#include "counters.hpp"
+
+namespace velum {
+
+Counters& Counters::operator+=(const Counters& other) {
+  instances += other.instances;
+  vertices += other.vertices;
+  triangles += other.triangles;
+  segments += other.segments;
+  segments_clipped += other.segments_clipped;
+  segments_outside += other.segments_outside;
+  points += other.points;
+  points_outside += other.points_outside;
+  not_finite += other.not_finite;
+  back_facing += other.back_facing;
+  edge_on += other.edge_on;
+  culled += other.culled;
+  trivially_accepted += other.trivially_accepted;
+  trivially_rejected += other.trivially_rejected;
+  clipped += other.clipped;
+  clipped_away += other.clipped_away;
+  for (int i = 0; i < 6; ++i) outside[i] += other.outside[i];
+  for (int i = 0; i < 6; ++i) cut_by[i] += other.cut_by[i];
+  screen_triangles += other.screen_triangles;
+  zero_area += other.zero_area;
+  reversed += other.reversed;
+  hidden_triangles += other.hidden_triangles;
+  hidden_blocks += other.hidden_blocks;
+  drawn_blocks += other.drawn_blocks;
+  pixels_tested += other.pixels_tested;
+  spans += other.spans;
+  fragments += other.fragments;
+  fragments_written += other.fragments_written;
+  pixels_shaded += other.pixels_shaded;
+  layers = layers > other.layers ? layers : other.layers;
+  return *this;
+}
+
+}  // namespace velum

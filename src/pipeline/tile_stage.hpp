@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "../base/executor.hpp"
+#include "../visibility/tile_raster.hpp"
+#include "primitive_batch.hpp"
+
+namespace velum {
+
+/// What the stage keeps between frames.
+struct TileStageBuffers {
+  std::vector<PlacedVertices> vertices;  ///< of the instances in the round
+  std::vector<PrimitiveBatch> batches;   ///< the first `used` of them are the round's
+  std::size_t used = 0;
+  std::vector<std::vector<ScreenTriangle>> screen_triangles;  ///< one per worker
+  std::vector<TileBuffer> tiles;                              ///< one per worker
+  std::vector<TileCounts> counts;                             ///< one per worker
+};
+
+/// What the stage needs to know of the frame.
+struct TileStageInput {
+  const Scene& scene;
+  const ViewingTransform& viewing;
+  const RenderSettings& settings;
+  Rect rect;
+  Executor& executor;
+  /// Told the share of the scene that is drawn, 0…1, after each round, on the calling thread.
+  const std::function<void(double)>& progress;
+};
+
+/// The production z-buffer: rounds of primitives are transformed, set up and sorted into tiles, then each
+/// tile draws its triangles while it stays in cache (sort-middle: Molnar, Cox, Ellsworth & Fuchs 1994, "A
+/// Sorting Classification of Parallel Rendering"). Each step runs on all threads; since the smaller
+/// (depth, id) wins in any order, the buffer is rasterize_zbuffer's to the bit.
+/// @param buffer  cleared, of rect's size
+void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
+                   Counters& counters);
+
+}  // namespace velum

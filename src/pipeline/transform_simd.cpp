@@ -1,0 +1,133 @@
+#include "geometry_kernels.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/transform_simd.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+// Highway's header is read anew for every target; it must follow the line above.
+#include <hwy/highway.h>
+
+#include "../base/simd_dispatch.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace velum {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Doubles = hn::CappedTag<double, 8>;
+using Floats = hn::Rebind<float, Doubles>;
+using Ints = hn::Rebind<std::int32_t, Doubles>;
+using Double = hn::Vec<Doubles>;
+constexpr Doubles doubles;
+constexpr Floats floats;
+constexpr Ints ints;
+constexpr std::size_t most_lanes = 8;
+
+struct ClipVector {
+  Double x, y, z, w;
+};
+
+/// Component `row` of ((m0·x + m1·y) + m2·z) + m3.
+HWY_INLINE Double row_of(const double* m, int row, Double x, Double y, Double z) {
+  const Double sum = hn::Add(hn::Mul(hn::Set(doubles, m[row]), x), hn::Mul(hn::Set(doubles, m[4 + row]), y));
+  return hn::Add(hn::Add(sum, hn::Mul(hn::Set(doubles, m[8 + row]), z)), hn::Set(doubles, m[12 + row]));
+}
+
+/// Adds bit `bit` to the codes of the lanes whose value is negative or NaN.
+HWY_INLINE Double with_bit(Double codes, int bit, Double value) {
+  const Double code = hn::Set(doubles, static_cast<double>(1 << bit));
+  return hn::Add(codes, hn::IfThenZeroElse(hn::Ge(value, hn::Zero(doubles)), code));
+}
+
+/// The outcodes, as numbers; in the order of the table in clipping/outcode.hpp.
+HWY_INLINE Double outcodes_of(const ClipVector& v) {
+  // The table's z - 0·w tells an infinite w, too.
+  const Double front = hn::Sub(v.z, hn::Mul(hn::Zero(doubles), v.w));
+  Double codes = with_bit(hn::Zero(doubles), 0, front);
+  codes = with_bit(codes, 1, hn::Sub(v.w, v.z));
+  codes = with_bit(codes, 2, hn::Add(v.x, v.w));
+  codes = with_bit(codes, 3, hn::Sub(v.w, v.x));
+  codes = with_bit(codes, 4, hn::Add(v.y, v.w));
+  return with_bit(codes, 5, hn::Sub(v.w, v.y));
+}
+
+/// floor(pixel · 256 + 0.5)
+HWY_INLINE hn::Vec<Ints> snapped(Double pixel) {
+  const Double scaled = hn::Add(hn::Mul(pixel, hn::Set(doubles, 256.0)), hn::Set(doubles, 0.5));
+  return hn::DemoteTo(ints, hn::Floor(scaled));
+}
+
+HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double codes, PlacedVertex* out) {
+  const Double one = hn::Set(doubles, 1.0);
+  const Double half_width = hn::Set(doubles, 0.5 * work.width);
+  const Double half_height = hn::Set(doubles, 0.5 * work.height);
+  const Double x = hn::Mul(half_width, hn::Add(hn::Div(v.x, v.w), one));
+  const Double y = hn::Mul(half_height, hn::Sub(one, hn::Div(v.y, v.w)));
+  const auto inside = hn::And(hn::Eq(codes, hn::Zero(doubles)), hn::Gt(v.w, hn::Zero(doubles)));
+  const Double x_or_none = hn::IfThenElseZero(inside, x);
+  const Double y_or_none = hn::IfThenElseZero(inside, y);
+  HWY_ALIGN std::int32_t xs[most_lanes];
+  HWY_ALIGN std::int32_t ys[most_lanes];
+  HWY_ALIGN double is_inside[most_lanes];
+  hn::Store(snapped(x_or_none), ints, xs);
+  hn::Store(snapped(y_or_none), ints, ys);
+  hn::Store(hn::IfThenElseZero(inside, one), doubles, is_inside);
+  for (std::size_t i = 0; i < hn::Lanes(doubles); ++i) {
+    out[i] = {is_inside[i] != 0.0 ? xs[i] : not_snapped, ys[i]};
+  }
+}
+
+HWY_INLINE void transform_lanes(const TransformWork& work, const float* positions, double* clip,
+                                std::uint8_t* outcodes, PlacedVertex* placed) {
+  hn::Vec<Floats> px, py, pz;
+  hn::LoadInterleaved3(floats, positions, px, py, pz);
+  const Double x = hn::PromoteTo(doubles, px);
+  const Double y = hn::PromoteTo(doubles, py);
+  const Double z = hn::PromoteTo(doubles, pz);
+  const double* const m = work.clip_from_object;
+  const ClipVector v{row_of(m, 0, x, y, z), row_of(m, 1, x, y, z), row_of(m, 2, x, y, z),
+                     row_of(m, 3, x, y, z)};
+  hn::StoreInterleaved4(v.x, v.y, v.z, v.w, doubles, clip);
+  const Double codes = outcodes_of(v);
+  HWY_ALIGN std::int32_t code[most_lanes];
+  hn::Store(hn::DemoteTo(ints, codes), ints, code);
+  for (std::size_t i = 0; i < hn::Lanes(doubles); ++i) outcodes[i] = static_cast<std::uint8_t>(code[i]);
+  place(work, v, codes, placed);
+}
+
+}  // namespace
+
+void transform_positions(const TransformWork& work) {
+  const std::size_t lanes = hn::Lanes(doubles);
+  std::size_t i = 0;
+  for (; i + lanes <= work.count; i += lanes) {
+    transform_lanes(work, work.positions + 3 * i, work.clip + 4 * i, work.outcodes + i, work.placed + i);
+  }
+  if (i == work.count) return;
+  // The rest, in memory where whole vectors fit.
+  float positions[3 * most_lanes] = {};
+  double clip[4 * most_lanes] = {};
+  std::uint8_t outcodes[most_lanes] = {};
+  PlacedVertex placed[most_lanes] = {};
+  const std::size_t rest = work.count - i;
+  for (std::size_t k = 0; k < 3 * rest; ++k) positions[k] = work.positions[3 * i + k];
+  transform_lanes(work, positions, clip, outcodes, placed);
+  for (std::size_t k = 0; k < 4 * rest; ++k) work.clip[4 * i + k] = clip[k];
+  for (std::size_t k = 0; k < rest; ++k) work.outcodes[i + k] = outcodes[k];
+  for (std::size_t k = 0; k < rest; ++k) work.placed[i + k] = placed[k];
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace velum
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace velum {
+
+TransformVertices transform_kernel(Isa isa) {
+  static constexpr auto versions = VELUM_KERNEL_VERSIONS(transform_positions);
+  return versions.at(isa);
+}
+
+}  // namespace velum
+#endif
