@@ -26,8 +26,10 @@ inline Rect intersect(const Rect& a, const Rect& b) {
           std::max(0, std::min(a.bottom(), b.bottom()) - top)};
 }
 
-/// The smallest rectangle around both. @pre neither is empty
+/// The smallest rectangle around both; an empty one adds nothing.
 inline Rect united(const Rect& a, const Rect& b) {
+  if (a.is_empty()) return b;
+  if (b.is_empty()) return a;
   const int left = std::min(a.left, b.left);
   const int top = std::min(a.top, b.top);
   return {left, top, std::max(a.right(), b.right()) - left, std::max(a.bottom(), b.bottom()) - top};

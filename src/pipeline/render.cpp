@@ -26,6 +26,7 @@ struct Renderer::Buffers {
   Executor executor;
   int threads = 1;  ///< as asked for; 0: all
   ExecutorKind executor_kind = ExecutorKind::tbb;
+  std::vector<PixelShader> shaders;
   LayerBuffers layers;
   Picture picture;
 };
@@ -197,12 +198,12 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   check_target(target, rect);
   Counters counters;
   Frame{scene, settings, viewing, rect, buffers, counters}.draw_scene();
-  ShadeInput input{scene, camera, viewing, settings, rect};
+  ShadeInput input{scene, camera, viewing, settings, rect, buffers.executor};
   if (settings.wireframe) {
     draw_wireframe(scene, viewing, settings, rect, buffers.wireframe);
     input.wireframe = &buffers.wireframe.nearest;
   }
-  ShadeStage stage(input, target, buffers.layers);
+  ShadeStage stage(input, target, buffers.layers, buffers.shaders);
   stage.shade_first_layer(buffers.visibility, counters);
   const Rect translucent = stage.translucent_box();
   if (!translucent.is_empty() && settings.layers != 1) {

@@ -38,7 +38,7 @@ struct RenderSettings {
   ZInterpolation z_interpolation = ZInterpolation::plane;
   DepthFormat depth_format = DepthFormat::reversed;  ///< for teaching: other formats see less
   Shading shading = Shading::phong;
-  Shader shader{};  ///< custom shading; replaces `shading` where set
+  Shader shader{};  ///< custom shading; replaces `shading` where set; called on the calling thread only
   TextureFilter texture_filter = TextureFilter::trilinear;
   Cull cull = Cull::none;
   float line_width = 1.0f;     ///< of segments and of the wireframe, pixels, 1 … 256

@@ -3,10 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "../shading/line_view.hpp"
-#include "../shading/shade.hpp"
-#include "../shading/triangle_view.hpp"
 #include "../visibility/fragment_lists.hpp"
+#include "pixel_shader.hpp"
 #include "stages.hpp"
 
 namespace velum {
@@ -29,23 +27,16 @@ struct LayerBuffers {
   }
 };
 
-/// What the shading stage needs to know.
-struct ShadeInput {
-  const Scene& scene;
-  const Camera& camera;
-  const ViewingTransform& viewing;
-  const RenderSettings& settings;
-  Rect rect;                                    ///< the part of the picture that the buffer holds
-  const VisibilityBuffer* wireframe = nullptr;  ///< the nearest edges, drawn over the first layer
-};
-
 /// Evaluates each visible fragment once and writes every output that is wanted. Depth, ids and normals are
 /// those of the first layer; the colour gathers layer behind layer until an opaque fragment, the background
 /// or the layer limit.
 class ShadeStage {
  public:
-  ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers);
+  /// @param shaders  kept from frame to frame for their memory
+  ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers,
+             std::vector<PixelShader>& shaders);
 
+  /// Runs on all threads, tile by tile; with a custom shader on the calling thread alone.
   void shade_first_layer(const VisibilityBuffer& buffer, Counters& counters);
   /// The smallest rectangle of picture pixels around all whose first layer is translucent; empty for none.
   Rect translucent_box() const { return translucent_box_; }
@@ -55,37 +46,26 @@ class ShadeStage {
   void finish();
 
  private:
-  /// A visible primitive as the shading needs it; kept while neighbouring pixels show the same one.
-  struct VisiblePrimitive {
-    std::uint32_t primitive = no_primitive;
-    PrimitiveKind kind = PrimitiveKind::triangle;
-    TriangleView triangle;  ///< if it is one
-    LitTriangle lit;
-    DepthPlane depth;  ///< of a triangle under a wireframe
-    LineView line;     ///< if it is a segment or a point
+  /// What a worker found in its tiles.
+  struct Found {
+    std::uint64_t shaded = 0;
+    Rect translucent_box;
   };
 
-  void shade_first(int x, int y, std::uint32_t primitive, float reversed_depth);
+  void shade_tile(const VisibilityBuffer& buffer, const Rect& tile, PixelShader& shader, Found& found);
+  void shade_first(int x, int y, std::uint32_t primitive, float reversed_depth, PixelShader& shader,
+                   Found& found);
   void write_background(int x, int y);
-  void open(int x, int y);
+  void open(int x, int y, Found& found);
   void open_part(const Rect& part);
   bool add_behind(int x, int y, const glm::vec4& colour);
   bool shade_further(int x, int y, std::uint64_t fragment);
-  void set_primitive(std::uint32_t primitive);
-  void set_triangle(const PrimitivePlace& place);
-  void set_line(const PrimitivePlace& place);
-  SurfacePoint surface(int x, int y, float reversed_depth) const;
-  glm::vec4 colour_of(const SurfacePoint& point) const;
-  bool is_wire(int x, int y, float reversed_depth) const;
 
-  const ShadeInput input_;
+  const ShadeContext context_;
+  const ShadeInput& input_ = context_.input;
   const PictureTarget target_;
   LayerBuffers& layers_;
-  Viewer viewer_;
-  MetricRange range_;
-  Lighting lighting_;
-  std::vector<glm::dmat4> clip_from_object_;
-  VisiblePrimitive visible_;
+  std::vector<PixelShader>& shaders_;  // one per worker
   Rect translucent_box_;
 };
 

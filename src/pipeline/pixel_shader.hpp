@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../shading/line_view.hpp"
+#include "../shading/shade.hpp"
+#include "../shading/triangle_view.hpp"
+#include "../visibility/depth_plane.hpp"
+#include "stages.hpp"
+
+namespace velum {
+
+/// What the shading stage needs to know.
+struct ShadeInput {
+  const Scene& scene;
+  const Camera& camera;
+  const ViewingTransform& viewing;
+  const RenderSettings& settings;
+  Rect rect;  ///< the part of the picture that the buffer holds
+  Executor& executor;
+  const VisibilityBuffer* wireframe = nullptr;  ///< the nearest edges, drawn over the first layer
+};
+
+/// What the shading of every pixel of a frame has in common.
+struct ShadeContext {
+  explicit ShadeContext(const ShadeInput& shade_input);
+
+  const ShadeInput input;
+  Viewer viewer;
+  MetricRange range;
+  Lighting lighting;
+  std::vector<glm::dmat4> clip_from_object;  ///< of each instance
+};
+
+/// A visible primitive set up for shading.
+struct VisiblePrimitive {
+  std::uint32_t primitive = no_primitive;
+  PrimitiveKind kind = PrimitiveKind::triangle;
+  TriangleView triangle;  ///< if it is one
+  LitTriangle lit;
+  DepthPlane depth;  ///< of a triangle under a wireframe
+  LineView line;     ///< if it is a segment or a point
+};
+
+/// Evaluates pixels of visible primitives; each worker has its own. The primitives met lately are kept set
+/// up: a small triangle is seen on several rows.
+class PixelShader {
+ public:
+  /// Forgets everything. @param context  must outlive every further call
+  void begin(const ShadeContext& context);
+
+  /// Turns to a primitive; the calls below are about its pixels. @pre primitive < primitive_count()
+  void select(std::uint32_t primitive);
+  const VisiblePrimitive& selected() const { return *selected_; }
+
+  /// @param x, y  pixel of the buffer
+  SurfacePoint surface(int x, int y, float reversed_depth) const;
+  /// Linear, straight alpha.
+  glm::vec4 colour_of(const SurfacePoint& point) const;
+  /// Whether an edge of the wireframe is seen at a pixel of the buffer.
+  bool is_wire(int x, int y, float reversed_depth) const;
+
+ private:
+  void set_up(std::uint32_t primitive, VisiblePrimitive& visible) const;
+  void set_up_triangle(const PrimitivePlace& place, VisiblePrimitive& visible) const;
+  void set_up_line(const PrimitivePlace& place, VisiblePrimitive& visible) const;
+
+  const ShadeContext* context_ = nullptr;
+  std::vector<VisiblePrimitive> lately_;  // each primitive has one place where it can be
+  VisiblePrimitive* selected_ = nullptr;
+};
+
+}  // namespace velum
