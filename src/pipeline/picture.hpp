@@ -30,12 +30,12 @@ struct Picture {
 /// Caller-owned memory for the outputs; an empty view is an output not wanted. Sizes must be those of the
 /// picture (or its crop).
 struct PictureTarget {
-  ImageView<Rgba8> colour;
-  ImageView<float> depth;
-  ImageView<float> metric_depth;
-  ImageView<glm::vec3> normal;
-  ImageView<std::uint32_t> object_id;
-  ImageView<std::uint32_t> triangle_id;
+  ImageView<Rgba8> colour{};
+  ImageView<float> depth{};
+  ImageView<float> metric_depth{};
+  ImageView<glm::vec3> normal{};
+  ImageView<std::uint32_t> object_id{};
+  ImageView<std::uint32_t> triangle_id{};
 };
 
 }  // namespace velum

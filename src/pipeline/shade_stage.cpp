@@ -91,13 +91,14 @@ void ShadeStage::finish() {
 
 void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float reversed_depth, PixelShader& shader,
                              Found& found) {
+  if (target_.depth.data) target_.depth.at(x, y) = 1.0f - reversed_depth;
+  if (target_.triangle_id.data) target_.triangle_id.at(x, y) = primitive;
+  if (!needs_surfaces_) return;
   shader.select(primitive);
   const SurfacePoint point = shader.surface(x, y, reversed_depth);
-  if (target_.depth.data) target_.depth.at(x, y) = point.depth;
   if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
   if (target_.normal.data) target_.normal.at(x, y) = point.shading_normal;
   if (target_.object_id.data) target_.object_id.at(x, y) = point.object;
-  if (target_.triangle_id.data) target_.triangle_id.at(x, y) = primitive;
   if (!target_.colour.data) return;
   glm::vec4 colour = shader.colour_of(point);
   if (shader.is_wire(x, y, reversed_depth)) colour = wireframe_ink(colour);

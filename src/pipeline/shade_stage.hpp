@@ -64,6 +64,9 @@ class ShadeStage {
   const ShadeContext context_;
   const ShadeInput& input_ = context_.input;
   const PictureTarget target_;
+  /// Depth and primitive ids stand in the visibility buffer; everything else is a matter of the surface.
+  const bool needs_surfaces_ = target_.colour.data != nullptr || target_.metric_depth.data != nullptr ||
+                               target_.normal.data != nullptr || target_.object_id.data != nullptr;
   LayerBuffers& layers_;
   std::vector<PixelShader>& shaders_;  // one per worker
   Rect translucent_box_;
