@@ -49,6 +49,13 @@ ShadeContext::ShadeContext(const ShadeInput& shade_input) : input(shade_input) {
   }
 }
 
+bool ShadeContext::has_plain_triangles() const {
+  const Shading shading = input.settings.shading;
+  const bool is_plain =
+      shading == Shading::flat || shading == Shading::object_id || shading == Shading::triangle_id;
+  return is_plain && !input.settings.shader && input.wireframe == nullptr && !input.needs_points;
+}
+
 void PixelShader::begin(const ShadeContext& context) {
   context_ = &context;
   selected_ = nullptr;
@@ -66,6 +73,8 @@ void PixelShader::set_up(std::uint32_t primitive, VisiblePrimitive& visible) con
   const PrimitivePlace place = context_->input.scene.place(primitive);
   visible.primitive = primitive;
   visible.kind = place.kind;
+  visible.object = place.instance;
+  visible.plain_colour.reset();
   if (place.kind == PrimitiveKind::triangle)
     set_up_triangle(place, visible);
   else
@@ -75,8 +84,18 @@ void PixelShader::set_up(std::uint32_t primitive, VisiblePrimitive& visible) con
 void PixelShader::set_up_triangle(const PrimitivePlace& place, VisiblePrimitive& visible) const {
   const ShadeInput& input = context_->input;
   const Viewer& viewer = context_->viewer;
+  const bool is_plain = context_->has_plain_triangles();
+  if (is_plain && input.settings.shading != Shading::flat) {
+    const bool by_object = input.settings.shading == Shading::object_id;
+    visible.plain_colour = srgb_from_linear(id_colour(by_object ? place.instance : visible.primitive));
+    return;
+  }
   visible.triangle = view_triangle(input.scene, place, context_->clip_from_object[place.instance], viewer);
   visible.lit = light_triangle(input.settings.shading, context_->lighting, visible.triangle);
+  const bool is_textured = visible.triangle.material->texture != nullptr;
+  if (is_plain && !is_textured && visible.lit.face.a >= 1.0f) {
+    visible.plain_colour = srgb_from_linear(visible.lit.face);
+  }
   if (input.wireframe == nullptr) return;
   visible.depth = depth_plane(visible.triangle.clip, visible.triangle.determinant, viewer.viewport);
 }

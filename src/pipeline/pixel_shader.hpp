@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "../shading/line_view.hpp"
@@ -19,12 +20,16 @@ struct ShadeInput {
   const RenderSettings& settings;
   Rect rect;  ///< the part of the picture that the buffer holds
   Executor& executor;
+  bool needs_points = false;  ///< metric depth or normals are wanted, which differ from pixel to pixel
   const VisibilityBuffer* wireframe = nullptr;  ///< the nearest edges, drawn over the first layer
 };
 
 /// What the shading of every pixel of a frame has in common.
 struct ShadeContext {
   explicit ShadeContext(const ShadeInput& shade_input);
+
+  /// Whether a triangle without a texture has one colour all over, which is all that is wanted of it.
+  bool has_plain_triangles() const;
 
   const ShadeInput input;
   Viewer viewer;
@@ -37,6 +42,9 @@ struct ShadeContext {
 struct VisiblePrimitive {
   std::uint32_t primitive = no_primitive;
   PrimitiveKind kind = PrimitiveKind::triangle;
+  std::uint32_t object = 0;  ///< its instance
+  std::optional<Rgba8>
+      plain_colour;       ///< where it is opaque and the same at every pixel; no more is set up then
   TriangleView triangle;  ///< if it is one
   LitTriangle lit;
   DepthPlane depth;  ///< of a triangle under a wireframe

@@ -199,6 +199,7 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   Counters counters;
   Frame{scene, settings, viewing, rect, buffers, counters}.draw_scene();
   ShadeInput input{scene, camera, viewing, settings, rect, buffers.executor};
+  input.needs_points = target.metric_depth.data != nullptr || target.normal.data != nullptr;
   if (settings.wireframe) {
     draw_wireframe(scene, viewing, settings, rect, buffers.wireframe);
     input.wireframe = &buffers.wireframe.nearest;

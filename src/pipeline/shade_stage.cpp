@@ -95,10 +95,14 @@ void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float revers
   if (target_.triangle_id.data) target_.triangle_id.at(x, y) = primitive;
   if (!needs_surfaces_) return;
   shader.select(primitive);
+  if (target_.object_id.data) target_.object_id.at(x, y) = shader.selected().object;
+  if (const auto& plain_colour = shader.selected().plain_colour) {
+    if (target_.colour.data) target_.colour.at(x, y) = *plain_colour;
+    return;
+  }
   const SurfacePoint point = shader.surface(x, y, reversed_depth);
   if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
   if (target_.normal.data) target_.normal.at(x, y) = point.shading_normal;
-  if (target_.object_id.data) target_.object_id.at(x, y) = point.object;
   if (!target_.colour.data) return;
   glm::vec4 colour = shader.colour_of(point);
   if (shader.is_wire(x, y, reversed_depth)) colour = wireframe_ink(colour);

@@ -134,6 +134,24 @@ TEST_CASE("outputs wanted one by one equal those of the whole picture") {
   CHECK(same_picture(one, whole));
 }
 
+TEST_CASE("colours and object ids alone equal those of the whole picture, in every shading") {
+  const Scene scene = glassy_solids();
+  const Camera camera = camera_of(scene);
+  for (const Shading shading :
+       {Shading::flat, Shading::gouraud, Shading::phong, Shading::normal, Shading::depth, Shading::object_id,
+        Shading::triangle_id, Shading::barycentric}) {
+    CAPTURE(static_cast<int>(shading));
+    RenderSettings settings = settings_of();
+    settings.shading = shading;
+    const Picture whole = render(scene, camera, settings);
+    Image<Rgba8> colour(160, 120);
+    Image<std::uint32_t> object_id(160, 120);
+    Renderer().render_into(scene, camera, settings, {.colour = colour.view(), .object_id = object_id.view()});
+    CHECK(same_rows(colour, whole.colour));
+    CHECK(same_rows(object_id, whole.object_id));
+  }
+}
+
 TEST_CASE("more primitives than one round of the tiles holds, in one mesh and in many instances") {
   Scene scene;
   scene.add(shapes::grid(2.0f, 600));  // 720,000 triangles: a round and a half
