@@ -9,6 +9,15 @@
 
 namespace velum {
 
+namespace {
+
+template <typename T>
+void fill(const ImageView<T>& view, const ShadeRun& run, const T& value) {
+  if (view.data != nullptr) std::fill(view.row(run.row) + run.begin, view.row(run.row) + run.end, value);
+}
+
+}  // namespace
+
 ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers,
                        std::vector<PixelShader>& shaders)
     : context_(input), target_(target), layers_(layers), shaders_(shaders) {
@@ -45,12 +54,14 @@ void ShadeStage::shade_tile(const VisibilityBuffer& buffer, const Rect& tile, Pi
   for (int y = tile.top; y < tile.bottom(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
     const float* const depths = buffer.reversed_depth.row(y);
-    for (int x = tile.left; x < tile.right(); ++x) {
-      if (ids[x] == no_primitive) {
-        write_background(x, y);
+    for (int begin = tile.left, end = begin; begin < tile.right(); begin = end) {
+      while (end < tile.right() && ids[end] == ids[begin]) ++end;
+      const ShadeRun run{y, begin, end, ids[begin]};
+      if (run.primitive == no_primitive) {
+        write_background(run);
       } else {
-        shade_first(x, y, ids[x], depths[x], shader, found);
-        ++found.shaded;
+        shade_run(run, depths, shader, found);
+        found.shaded += static_cast<std::uint64_t>(end - begin);
       }
     }
   }
@@ -89,17 +100,24 @@ void ShadeStage::finish() {
   }
 }
 
-void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float reversed_depth, PixelShader& shader,
-                             Found& found) {
-  if (target_.depth.data) target_.depth.at(x, y) = 1.0f - reversed_depth;
-  if (target_.triangle_id.data) target_.triangle_id.at(x, y) = primitive;
+void ShadeStage::shade_run(const ShadeRun& run, const float* reversed_depths, PixelShader& shader,
+                           Found& found) {
+  if (target_.depth.data) {
+    float* const depths = target_.depth.row(run.row);
+    for (int x = run.begin; x < run.end; ++x) depths[x] = 1.0f - reversed_depths[x];
+  }
+  fill(target_.triangle_id, run, run.primitive);
   if (!needs_surfaces_) return;
-  shader.select(primitive);
-  if (target_.object_id.data) target_.object_id.at(x, y) = shader.selected().object;
-  if (const auto& plain_colour = shader.selected().plain_colour) {
-    if (target_.colour.data) target_.colour.at(x, y) = *plain_colour;
+  shader.select(run.primitive);
+  fill(target_.object_id, run, shader.selected().object);
+  if (shader.selected().plain_colour) {
+    fill(target_.colour, run, *shader.selected().plain_colour);
     return;
   }
+  for (int x = run.begin; x < run.end; ++x) shade_point(x, run.row, reversed_depths[x], shader, found);
+}
+
+void ShadeStage::shade_point(int x, int y, float reversed_depth, PixelShader& shader, Found& found) {
   const SurfacePoint point = shader.surface(x, y, reversed_depth);
   if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
   if (target_.normal.data) target_.normal.at(x, y) = point.shading_normal;
@@ -115,18 +133,18 @@ void ShadeStage::shade_first(int x, int y, std::uint32_t primitive, float revers
   }
 }
 
-void ShadeStage::write_background(int x, int y) {
-  const bool is_wire = input_.wireframe && input_.wireframe->primitive.at(x, y) != no_primitive;
-  const Rgba8 background = input_.settings.background;
-  if (target_.colour.data) {
-    target_.colour.at(x, y) =
-        is_wire ? srgb_from_linear(wireframe_ink(linear_from_srgb(background))) : background;
+void ShadeStage::write_background(const ShadeRun& run) {
+  fill(target_.colour, run, input_.settings.background);
+  fill(target_.depth, run, 1.0f);
+  fill(target_.metric_depth, run, std::numeric_limits<float>::infinity());
+  fill(target_.normal, run, glm::vec3(0.0f));
+  fill(target_.object_id, run, no_primitive);
+  fill(target_.triangle_id, run, no_primitive);
+  if (input_.wireframe == nullptr || target_.colour.data == nullptr) return;
+  const Rgba8 ink = srgb_from_linear(wireframe_ink(linear_from_srgb(input_.settings.background)));
+  for (int x = run.begin; x < run.end; ++x) {
+    if (input_.wireframe->primitive.at(x, run.row) != no_primitive) target_.colour.at(x, run.row) = ink;
   }
-  if (target_.depth.data) target_.depth.at(x, y) = 1.0f;
-  if (target_.metric_depth.data) target_.metric_depth.at(x, y) = std::numeric_limits<float>::infinity();
-  if (target_.normal.data) target_.normal.at(x, y) = glm::vec3(0.0f);
-  if (target_.object_id.data) target_.object_id.at(x, y) = no_primitive;
-  if (target_.triangle_id.data) target_.triangle_id.at(x, y) = no_primitive;
 }
 
 void ShadeStage::open(int x, int y, Found& found) {

@@ -27,6 +27,14 @@ struct LayerBuffers {
   }
 };
 
+/// Neighbouring pixels of a row that show the same: begin ≤ x < end.
+struct ShadeRun {
+  int row;
+  int begin;
+  int end;
+  std::uint32_t primitive;
+};
+
 /// Evaluates each visible fragment once and writes every output that is wanted. Depth, ids and normals are
 /// those of the first layer; the colour gathers layer behind layer until an opaque fragment, the background
 /// or the layer limit.
@@ -53,9 +61,9 @@ class ShadeStage {
   };
 
   void shade_tile(const VisibilityBuffer& buffer, const Rect& tile, PixelShader& shader, Found& found);
-  void shade_first(int x, int y, std::uint32_t primitive, float reversed_depth, PixelShader& shader,
-                   Found& found);
-  void write_background(int x, int y);
+  void shade_run(const ShadeRun& run, const float* reversed_depths, PixelShader& shader, Found& found);
+  void shade_point(int x, int y, float reversed_depth, PixelShader& shader, Found& found);
+  void write_background(const ShadeRun& run);
   void open(int x, int y, Found& found);
   void open_part(const Rect& part);
   bool add_behind(int x, int y, const glm::vec4& colour);
