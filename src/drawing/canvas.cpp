@@ -6,6 +6,7 @@
 
 #include "../base/contract.hpp"
 #include "../base/elementary.hpp"
+#include "../base/floating_point.hpp"
 #include "font.hpp"
 
 namespace velum {
@@ -81,6 +82,7 @@ void Canvas::blend(int x, int y, const glm::vec4& colour, double coverage) {
 }
 
 void Canvas::line(const glm::dvec2& a, const glm::dvec2& b, double thickness, const Rgba8& colour) {
+  const FloatingPointScope floating_point;
   if (!is_finite(a) || !is_finite(b)) return;
   const double half = 0.5 * thickness;
   const glm::vec4 ink = premultiplied(colour);
@@ -95,6 +97,7 @@ void Canvas::line(const glm::dvec2& a, const glm::dvec2& b, double thickness, co
 
 void Canvas::dashed_line(const glm::dvec2& a, const glm::dvec2& b, double thickness, double dash,
                          const Rgba8& colour) {
+  const FloatingPointScope floating_point;
   VELUM_REQUIRE(dash > 0.0, {"dash", dash});
   if (!is_finite(a) || !is_finite(b)) return;
   // A line far longer than the picture keeps a bounded number of dashes.
@@ -113,10 +116,12 @@ void Canvas::outline(std::span<const glm::dvec2> corners, double thickness, cons
 }
 
 void Canvas::disc(const glm::dvec2& centre, double radius, const Rgba8& colour) {
+  const FloatingPointScope floating_point;
   line(centre, centre, 2.0 * radius, colour);
 }
 
 void Canvas::ring(const glm::dvec2& centre, double radius, double thickness, const Rgba8& colour) {
+  const FloatingPointScope floating_point;
   if (!is_finite(centre)) return;
   const glm::vec4 ink = premultiplied(colour);
   const double outer = radius + 0.5 * thickness;
@@ -131,6 +136,7 @@ void Canvas::ring(const glm::dvec2& centre, double radius, double thickness, con
 }
 
 void Canvas::polygon(std::span<const glm::dvec2> corners, const Rgba8& colour) {
+  const FloatingPointScope floating_point;
   if (corners.size() < 3 || !std::all_of(corners.begin(), corners.end(), is_finite)) return;
   const glm::vec4 ink = premultiplied(colour);
   glm::dvec2 low = corners[0];
@@ -167,6 +173,7 @@ void Canvas::letter(int left, int top, char character, int scale, const Rgba8& c
 
 void Canvas::text(const glm::dvec2& at, std::string_view text, int scale, const Rgba8& colour,
                   TextAnchor anchor) {
+  const FloatingPointScope floating_point;
   VELUM_REQUIRE(scale >= 1, {"scale", scale});
   if (!is_finite(at)) return;
   const double share = anchor == TextAnchor::left ? 0.0 : (anchor == TextAnchor::middle ? 0.5 : 1.0);
@@ -185,6 +192,7 @@ int Canvas::text_width(std::string_view text, int scale) {
 }
 
 Image<Rgba8> Canvas::picture() const {
+  const FloatingPointScope floating_point;
   Image<Rgba8> result(width(), height());
   for (int y = 0; y < height(); ++y) {
     for (int x = 0; x < width(); ++x) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../base/contract.hpp"
+#include "../base/floating_point.hpp"
 #include "../projection/frame.hpp"
 #include "../projection/viewport.hpp"
 #include "canvas.hpp"
@@ -281,6 +282,7 @@ void copy_into(Image<Rgba8>& sheet, const Image<Rgba8>& panel, int left, int top
 }  // namespace
 
 Image<Rgba8> draw_clipping(const ClipTrace& trace, int panel_size) {
+  const FloatingPointScope floating_point;
   VELUM_REQUIRE(panel_size >= 120 && panel_size <= 2000, {"panel_size", panel_size});
   std::vector<const ClipStep*> cutting;
   for (const ClipStep& step : trace.steps) {

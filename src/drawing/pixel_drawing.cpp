@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../base/contract.hpp"
+#include "../base/floating_point.hpp"
 #include "../pipeline/check_request.hpp"
 #include "../pipeline/render.hpp"
 #include "../shading/shading.hpp"
@@ -202,6 +203,7 @@ class Sheet {
 
 Image<Rgba8> draw_pixel(const PixelExplanation& pixel, const Scene& scene, const Camera& camera,
                         const RenderSettings& settings, const PixelDrawing& drawing) {
+  const FloatingPointScope floating_point;
   VELUM_REQUIRE(
       drawing.radius >= 0 && drawing.radius <= 64 && drawing.cell_size >= 8 && drawing.cell_size <= 256,
       {"radius", drawing.radius}, {"cell_size", drawing.cell_size});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "../base/floating_point.hpp"
 #include "../image/visibility_buffer.hpp"
 #include "../pipeline/memory_need.hpp"
 #include "../pipeline/render.hpp"
@@ -89,6 +90,7 @@ Image<Rgba8> lettering(const std::vector<SheetView>& views, const SheetOptions& 
 }  // namespace
 
 Sheet draw_sheet(const Scene& scene, const SheetOptions& options) {
+  const FloatingPointScope floating_point;
   // The canvas, what it gives, and the sheet; each view is checked when it is rendered.
   const std::uint64_t pixel_bytes = sizeof(glm::vec4) + 2 * sizeof(Rgba8);
   memory_left(pixel_bytes * Image<std::uint8_t>::bytes_for(options.width, options.height), {});

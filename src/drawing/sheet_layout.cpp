@@ -2,6 +2,7 @@
 #include <array>
 
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "../projection/frame.hpp"
 #include "../projection/projection.hpp"
 #include "sheet.hpp"
@@ -124,6 +125,7 @@ Aabb box_of(const Scene& scene) {
 }  // namespace
 
 std::vector<SheetView> place_views(const Scene& scene, const SheetOptions& options) {
+  const FloatingPointScope floating_point;
   const std::vector<Cell> cells = cells_of(options);
   const Aabb box = box_of(scene);
   const Table table = measure(cells, box, scene.up);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "../base/contract.hpp"
+#include "../base/floating_point.hpp"
 #include "../clipping/cut.hpp"
 
 namespace velum {
@@ -101,6 +102,7 @@ ClipVerdict verdict_of(const ClipTrace& trace, const ClippedPolygon& clipped, bo
 }  // namespace
 
 ClipTrace trace_clipping(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
+  const FloatingPointScope floating_point;
   ClipTrace trace;
   Tracer tracer(trace, {a, b, c});
   const auto code = [&trace](std::size_t i) { return static_cast<unsigned>(trace.vertices[i].code); };

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "checks.hpp"
 #include "projection.hpp"
 
@@ -88,6 +89,7 @@ Factors factorise(const Pictures& a) {
 }  // namespace
 
 Projection axonometry(const std::array<double, 3>& angles, const std::array<double, 3>& scales) {
+  const FloatingPointScope floating_point;
   const Factors factors = factorise(pictures_of_axes(angles, scales));
   Projection result;
   result.name = "axonometry";

@@ -4,6 +4,7 @@
 
 #include "../base/elementary.hpp"
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "camera_axes.hpp"
 #include "checks.hpp"
 
@@ -82,6 +83,7 @@ PoseAndRange read_off(const glm::dmat4& clip) {
 
 Camera Camera::perspective(const Pose& pose, const PerspectiveLens& lens, double near, double far,
                            std::optional<double> aspect) {
+  const FloatingPointScope floating_point;
   check_opening(lens.opening);
   check_finite(lens.shift, "lens shift");
   check_near_far(near, far, true);
@@ -90,6 +92,7 @@ Camera Camera::perspective(const Pose& pose, const PerspectiveLens& lens, double
 }
 
 Camera Camera::off_axis(const Pose& pose, const OffAxisFrustum& frustum, double near, double far) {
+  const FloatingPointScope floating_point;
   check_ordered(frustum.left, frustum.right, "left", "right");
   check_ordered(frustum.bottom, frustum.top, "bottom", "top");
   check_near_far(near, far, true);
@@ -99,6 +102,7 @@ Camera Camera::off_axis(const Pose& pose, const OffAxisFrustum& frustum, double 
 
 Camera Camera::parallel(const Pose& pose, const ParallelWindow& window, double near, double far,
                         std::optional<double> aspect) {
+  const FloatingPointScope floating_point;
   check_positive(window.height, "window height");
   check_finite(window.shear, "shear");
   check_finite(window.focus, "focus");
@@ -108,6 +112,7 @@ Camera Camera::parallel(const Pose& pose, const ParallelWindow& window, double n
 }
 
 Camera Camera::from_clip_matrix(const glm::dmat4& clip_from_world, DepthRange range, ClipY y) {
+  const FloatingPointScope floating_point;
   check_regular(clip_from_world, "clip matrix");
   Camera camera;
   camera.lens_ = ClipMatrix{clip_from_world, range, y};
@@ -133,6 +138,7 @@ bool Camera::is_perspective() const {
 }
 
 glm::dvec4 metric_depth_plane(const Camera& camera) {
+  const FloatingPointScope floating_point;
   const auto* matrix = std::get_if<ClipMatrix>(&camera.lens());
   if (matrix == nullptr) {
     const glm::dvec3 look = unit(camera.pose().look);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "../base/floating_point.hpp"
 #include "viewing_transform.hpp"
 
 namespace velum {
@@ -18,6 +19,7 @@ struct Pose {
 
   static Pose towards(const glm::dvec3& position, const glm::dvec3& target,
                       const glm::dvec3& up = {0.0, 1.0, 0.0}) {
+    const FloatingPointScope floating_point;
     return {position, target - position, up};
   }
 };

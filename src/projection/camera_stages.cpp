@@ -3,6 +3,7 @@
 
 #include "../base/elementary.hpp"
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "camera.hpp"
 #include "camera_axes.hpp"
 #include "checks.hpp"
@@ -155,14 +156,25 @@ void check_picture_aspect(double picture, std::optional<double> own, double tole
   }
 }
 
+// A window or a depth range of extreme size may leave the range of double.
+void check_stage(const Stage& stage, const Camera& camera) {
+  const double determinant = glm::determinant(stage.matrix);
+  if (is_regular(stage.matrix) && determinant != 0.0 && std::isfinite(determinant)) return;
+  throw Error(ErrorKind::usage,
+              "numbers so large, small or different make the stage " + stage.name +
+                  " of the viewing matrix singular (near " + text_of(camera.near()) + ", far " +
+                  text_of(camera.far()) + ")",
+              "camera", "keep near, far, opening angle, and the camera's distance to a usual size");
+}
+
 }  // namespace
 
 ViewingTransform Camera::viewing_transform(double picture_aspect, double tolerance) const {
+  const FloatingPointScope floating_point;
   check_picture_aspect(picture_aspect, aspect_, tolerance);
   std::vector<Stage> stages =
       std::visit([&](const auto& lens) { return stages_of(*this, lens, picture_aspect); }, lens_);
-  // A window or a depth range of extreme size may leave the range of double.
-  for (const Stage& stage : stages) check_regular(stage.matrix, "stage " + stage.name);
+  for (const Stage& stage : stages) check_stage(stage, *this);
   return ViewingTransform(std::move(stages));
 }
 

@@ -81,6 +81,15 @@ void check_opening_angle(double radians, const std::string& name) {
   }
 }
 
+bool is_regular(const glm::dmat4& matrix) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!std::isfinite(matrix[column][row])) return false;
+    }
+  }
+  return std::abs(equilibrated_determinant(matrix)) > 1e-15;
+}
+
 void check_regular(const glm::dmat4& matrix, const std::string& name) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
@@ -88,10 +97,9 @@ void check_regular(const glm::dmat4& matrix, const std::string& name) {
                    name + "[row " + std::to_string(row) + "][column " + std::to_string(column) + "]");
     }
   }
-  if (std::abs(equilibrated_determinant(matrix)) <= 1e-15) {
-    throw Error(ErrorKind::usage, "the matrix is singular", name,
-                "a view into a volume must keep depth; pictures on a plane are in plane_projection.hpp");
-  }
+  if (is_regular(matrix)) return;
+  throw Error(ErrorKind::usage, "the matrix is singular", name,
+              "a view into a volume must keep depth; pictures on a plane are in plane_projection.hpp");
 }
 
 }  // namespace velum

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "checks.hpp"
 #include "extreme_points.hpp"
 #include "framing.hpp"
@@ -177,10 +178,12 @@ Camera framed(const Framing& framing) {
 }  // namespace
 
 Camera frame(const Aabb& bounds, const Projection& projection, const FrameOptions& options) {
+  const FloatingPointScope floating_point;
   return framed(framing_of(bounds, projection, options));
 }
 
 Camera frame(std::span<const glm::dvec3> points, const Projection& projection, const FrameOptions& options) {
+  const FloatingPointScope floating_point;
   std::vector<glm::dvec3> finite;
   Aabb bounds;
   for (const glm::dvec3& point : points) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "catalogue.hpp"
 
 namespace velum {
@@ -68,6 +69,7 @@ void parse_setting(std::string_view setting, ParameterValues& values) {
 }  // namespace
 
 Projection parse_projection(std::string_view text) {
+  const FloatingPointScope floating_point;
   const std::vector<ProjectionEntry>& catalogue = projection_catalogue();
   std::string_view settings = text;
   const std::string_view name = next_part(settings, ':');

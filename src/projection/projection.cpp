@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "checks.hpp"
 
 namespace velum::projection {
@@ -59,6 +60,7 @@ Projection principal(const char* name, const glm::dvec3& look, const glm::dvec3&
 
 // A receding axis at angle φ with scale L, on a front face seen from +z.
 Projection receding(const char* name, double angle, double scale) {
+  const FloatingPointScope floating_point;
   check_range(angle, 2.0 * pi, "angle");
   check_finite(scale, "scale");
   if (scale < 0.0) {
@@ -109,10 +111,12 @@ Projection bottom() {
 }
 
 Projection orthographic(double elevation, double azimuth) {
+  const FloatingPointScope floating_point;
   return view_from("orthographic", direction(elevation, azimuth), ProjectionFamily::orthographic);
 }
 
 Projection isometric() {
+  const FloatingPointScope floating_point;
   // Along the diagonal of the cube: elevation asin(1/√3), azimuth 45°.
   const double half = std::sqrt(0.5);
   return view_from("isometric", {1.0 / std::sqrt(3.0), std::sqrt(2.0 / 3.0), half, half},
@@ -120,18 +124,21 @@ Projection isometric() {
 }
 
 Projection dimetric() {
+  const FloatingPointScope floating_point;
   // Scales 1 : ½ : 1 exactly: elevation asin(1/3), azimuth atan(1/√7).
   return view_from("dimetric", {1.0 / 3.0, std::sqrt(8.0) / 3.0, std::sqrt(0.125), std::sqrt(0.875)},
                    ProjectionFamily::orthographic);
 }
 
 Projection dimetric_2to1() {
+  const FloatingPointScope floating_point;
   // Elevation 30°, azimuth 45°: both ground axes fall by one pixel in two.
   const double half = std::sqrt(0.5);
   return view_from("dimetric-2to1", {0.5, std::sqrt(0.75), half, half}, ProjectionFamily::orthographic);
 }
 
 Projection trimetric(double elevation, double azimuth) {
+  const FloatingPointScope floating_point;
   return view_from("trimetric", direction(elevation, azimuth), ProjectionFamily::orthographic);
 }
 
@@ -149,6 +156,7 @@ Projection natural_oblique(double angle, double scale) {
 }
 
 Projection military(double turn, double scale) {
+  const FloatingPointScope floating_point;
   check_range(turn, 2.0 * pi, "turn");
   // The plan as seen from straight above by a viewer who came from azimuth `turn`; φ = 270°, so that heights,
   // which come towards the viewer, are drawn up.
@@ -161,10 +169,12 @@ Projection military(double turn, double scale) {
 }
 
 Projection perspective(double vertical_angle, double elevation, double azimuth) {
+  const FloatingPointScope floating_point;
   return perspective_from("perspective", vertical_angle, direction(elevation, azimuth));
 }
 
 Projection one_point(double vertical_angle, double elevation, double azimuth) {
+  const FloatingPointScope floating_point;
   Projection result = perspective_from("one-point", vertical_angle, direction(elevation, azimuth));
   demand(result.to_eye.z > 0.01, "one-point", "the eye would not stand in front of the picture plane",
          "keep elevation and azimuth between -89 and 89 degrees");
@@ -175,6 +185,7 @@ Projection one_point(double vertical_angle, double elevation, double azimuth) {
 }
 
 Projection two_point(double vertical_angle, double elevation, double azimuth) {
+  const FloatingPointScope floating_point;
   const Direction d = direction(elevation, azimuth);
   Projection result = perspective_from("two-point", vertical_angle, d);
   demand(d.cos_elevation > 0.01, "two-point", "the eye would not stand in front of the picture plane",
@@ -189,6 +200,7 @@ Projection two_point(double vertical_angle, double elevation, double azimuth) {
 }
 
 Projection three_point(double vertical_angle, double elevation, double azimuth) {
+  const FloatingPointScope floating_point;
   Projection result = perspective_from("three-point", vertical_angle, direction(elevation, azimuth));
   const glm::dvec3 slant = glm::abs(result.look);
   demand(glm::min(slant.x, glm::min(slant.y, slant.z)) > clearly_nonzero, "three-point",

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 
 namespace velum {
 namespace {
@@ -39,6 +40,7 @@ std::vector<std::string_view> builtin_names() {
 }
 
 Mesh builtin_shape(std::string_view name) {
+  const FloatingPointScope floating_point;
   std::string known;
   for (const BuiltinShape& shape : k_shapes) {
     if (shape.name == name) return shape.make();

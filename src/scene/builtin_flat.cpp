@@ -1,3 +1,4 @@
+#include "../base/floating_point.hpp"
 #include "builtin.hpp"
 #include "builtin_parameters.hpp"
 #include "builtin_prism.hpp"
@@ -37,11 +38,13 @@ std::vector<glm::uvec3> stairs_triangles(std::uint32_t corners) {
 }  // namespace
 
 Mesh cube(float edge) {
+  const FloatingPointScope floating_point;
   require_length("cube", "edge", edge);
   return centred_box("cube", glm::dvec3(edge));
 }
 
 Mesh box(float width, float height, float depth) {
+  const FloatingPointScope floating_point;
   require_length("box", "width", width);
   require_length("box", "height", height);
   require_length("box", "depth", depth);
@@ -49,6 +52,7 @@ Mesh box(float width, float height, float depth) {
 }
 
 Mesh grid(float size, int cells) {
+  const FloatingPointScope floating_point;
   require_length("grid", "size", size);
   require_count("grid", "cells", cells, 1, 4096);
   const auto coordinate = [&](int k) { return static_cast<double>(size) * (2 * k - cells) / (2.0 * cells); };
@@ -62,6 +66,7 @@ Mesh grid(float size, int cells) {
 }
 
 Mesh stairs(int steps, float width, float rise, float tread) {
+  const FloatingPointScope floating_point;
   require_count("stairs", "steps", steps, 1, 65536);
   require_length("stairs", "width", width);
   require_length("stairs", "rise", rise);
@@ -78,6 +83,7 @@ Mesh stairs(int steps, float width, float rise, float tread) {
 }
 
 Mesh letter_f() {
+  const FloatingPointScope floating_point;
   // Whole sixteenths, so that every coordinate is exact.
   constexpr double left = -0.3125, stem = -0.125, middle_bar = 0.1875, right = 0.3125;
   constexpr double bottom = -0.5, middle_lower = -0.0625, middle_upper = 0.125, top_lower = 0.3125, top = 0.5;

@@ -1,3 +1,4 @@
+#include "../base/floating_point.hpp"
 #include "builtin.hpp"
 #include "builtin_prism.hpp"
 #include "builtin_surface.hpp"
@@ -68,6 +69,7 @@ void add_door_and_windows(SurfaceBuilder& builder) {
 }  // namespace
 
 Mesh house() {
+  const FloatingPointScope floating_point;
   SurfaceBuilder builder;
   add_walls(builder);
   add_roof(builder);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../base/elementary.hpp"
+#include "../base/floating_point.hpp"
 #include "builtin.hpp"
 #include "builtin_parameters.hpp"
 #include "builtin_polyhedra.hpp"
@@ -110,6 +111,7 @@ class Unwrapping {
 }  // namespace
 
 Mesh icosphere(float radius, int subdivisions) {
+  const FloatingPointScope floating_point;
   require_length("icosphere", "radius", radius);
   require_count("icosphere", "subdivisions", subdivisions, 0, 9);
   Geodesic sphere = from_icosahedron();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "../base/floating_point.hpp"
 #include "builtin.hpp"
 #include "builtin_parameters.hpp"
 #include "builtin_surface.hpp"
@@ -89,15 +90,19 @@ Polyhedron unit_icosahedron() {
 }
 
 Mesh tetrahedron(float circumradius) {
+  const FloatingPointScope floating_point;
   return faceted("tetrahedron", unit_tetrahedron(), circumradius);
 }
 Mesh octahedron(float circumradius) {
+  const FloatingPointScope floating_point;
   return faceted("octahedron", unit_octahedron(), circumradius);
 }
 Mesh dodecahedron(float circumradius) {
+  const FloatingPointScope floating_point;
   return faceted("dodecahedron", unit_dodecahedron(), circumradius);
 }
 Mesh icosahedron(float circumradius) {
+  const FloatingPointScope floating_point;
   return faceted("icosahedron", unit_icosahedron(), circumradius);
 }
 

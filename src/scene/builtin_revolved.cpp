@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../base/floating_point.hpp"
 #include "builtin.hpp"
 #include "builtin_parameters.hpp"
 #include "builtin_surface.hpp"
@@ -55,6 +56,7 @@ void add_cap(SurfaceBuilder& builder, const Columns& columns, double radius, dou
 }  // namespace
 
 Mesh sphere(float radius, int segments, int rings) {
+  const FloatingPointScope floating_point;
   require_length("sphere", "radius", radius);
   require_count("sphere", "segments", segments, 3, k_most_segments);
   require_count("sphere", "rings", rings, 2, k_most_segments);
@@ -81,6 +83,7 @@ Mesh sphere(float radius, int segments, int rings) {
 }
 
 Mesh cylinder(float radius, float height, int segments) {
+  const FloatingPointScope floating_point;
   require_length("cylinder", "radius", radius);
   require_length("cylinder", "height", height);
   require_count("cylinder", "segments", segments, 3, k_most_segments);
@@ -99,6 +102,7 @@ Mesh cylinder(float radius, float height, int segments) {
 }
 
 Mesh cone(float radius, float height, int segments) {
+  const FloatingPointScope floating_point;
   require_length("cone", "radius", radius);
   require_length("cone", "height", height);
   require_count("cone", "segments", segments, 3, k_most_segments);
@@ -122,6 +126,7 @@ Mesh cone(float radius, float height, int segments) {
 }
 
 Mesh torus(float major_radius, float minor_radius, int major_segments, int minor_segments) {
+  const FloatingPointScope floating_point;
   require_length("torus", "major_radius", major_radius);
   require_length("torus", "minor_radius", minor_radius);
   require_below("torus", "minor_radius", minor_radius, "major_radius", major_radius);

@@ -13,6 +13,7 @@
 namespace velum {
 
 Scene load_scene(const std::string& path, const LoadOptions& options) {
+  const FloatingPointScope floating_point;
   constexpr std::string_view builtin = "builtin:";
   if (path.substr(0, builtin.size()) == builtin) {
     const std::string_view shape = std::string_view(path).substr(builtin.size());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 
 namespace velum {
 namespace {
@@ -88,6 +89,7 @@ void validate(const Mesh& mesh) {
 }
 
 std::vector<glm::vec3> smooth_normals(const Mesh& mesh) {
+  const FloatingPointScope floating_point;
   validate(mesh);
   std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
   for (const glm::uvec3& triangle : mesh.triangles) {
@@ -101,6 +103,7 @@ std::vector<glm::vec3> smooth_normals(const Mesh& mesh) {
 }
 
 Mesh with_flat_normals(const Mesh& mesh) {
+  const FloatingPointScope floating_point;
   validate(mesh);
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max() / 3) {
     throw Error(ErrorKind::limit,

@@ -9,6 +9,7 @@
 
 #include "../base/contract.hpp"
 #include "../base/error.hpp"
+#include "../base/floating_point.hpp"
 #include "revision.hpp"
 
 namespace velum {
@@ -156,6 +157,7 @@ std::uint32_t Scene::add_material(Material material) {
 }
 
 std::uint32_t Scene::add_instance(Instance instance) {
+  const FloatingPointScope floating_point;
   const std::string where = place_of(instance);
   require_known(instance.mesh, meshes_.size(), "mesh", where);
   require_known(instance.material, materials_.size(), "material", where);
@@ -197,6 +199,7 @@ void Scene::set_material(std::uint32_t index, Material material) {
 }
 
 std::vector<glm::dvec3> Scene::points() const {
+  const FloatingPointScope floating_point;
   constexpr std::uint64_t most_vertices = 1u << 22;
   std::uint64_t vertices = 0;
   for (const Instance& instance : instances_) vertices += meshes_[instance.mesh].positions.size();
@@ -216,6 +219,7 @@ std::vector<glm::dvec3> Scene::points() const {
 }
 
 Aabb Scene::bounds() const {
+  const FloatingPointScope floating_point;
   Aabb box;
   for (const Instance& instance : instances_) {
     box.include(

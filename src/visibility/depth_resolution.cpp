@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "../base/floating_point.hpp"
+
 namespace velum {
 namespace {
 
@@ -58,6 +60,7 @@ std::uint32_t next_farther(DepthFormat format, std::uint32_t bits, float stored)
 }  // namespace
 
 double depth_resolution_at(const Camera& camera, DepthFormat format, double metric_depth) {
+  const FloatingPointScope floating_point;
   const DepthMapping mapping(camera);
   const double distance = std::clamp(metric_depth, mapping.near, mapping.far);
   const auto r = static_cast<float>(std::clamp(mapping.reversed_depth(distance), 0.0, 1.0));
