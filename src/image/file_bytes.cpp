@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <limits>
 #include <new>
 #include <system_error>
 #include <utility>
 
 #include "../base/error.hpp"
+#include "../base/machine.hpp"
 
 namespace velum {
 namespace {
@@ -134,15 +136,28 @@ void write_whole(const std::filesystem::path& path, std::span<const std::byte> b
   temporary.move_to(target);
 }
 
-std::vector<std::byte> read_all(int descriptor, const std::string& name) {
+[[noreturn]] void fail_as_too_large(const std::string& name, std::uint64_t most) {
+  throw Error(ErrorKind::limit,
+              "has more than " + std::to_string(most) + " bytes, the most that are read (half of the " +
+                  "machine's memory, unless the caller set it)",
+              name, "choose a smaller file, or check that the program that writes into the pipe ends");
+}
+
+/// @param most  > 0
+std::vector<std::byte> read_all(int descriptor, const std::string& name, std::uint64_t most) {
   std::vector<std::byte> bytes;
   struct stat status {};
   if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
+    if (static_cast<std::uint64_t>(status.st_size) > most) fail_as_too_large(name, most);
     bytes.resize(static_cast<std::size_t>(status.st_size) + 1);  // one more: the end is seen without growing
   }
   std::size_t filled = 0;
   while (true) {
-    if (filled == bytes.size()) bytes.resize(std::max<std::size_t>(65536, 2 * filled));
+    if (filled > most) fail_as_too_large(name, most);
+    if (filled == bytes.size()) {
+      bytes.resize(static_cast<std::size_t>(
+          std::min<std::uint64_t>(std::max<std::uint64_t>(65536, 2 * filled), most + 1)));
+    }
     const std::size_t room = std::min(bytes.size() - filled, largest_transfer);
     const ssize_t count = ::read(descriptor, bytes.data() + filled, room);
     if (count < 0 && errno == EINTR) continue;
@@ -165,13 +180,15 @@ void write_file(const std::filesystem::path& path, std::span<const std::byte> by
   if (failure != 0) fail_to_write("standard output", failure);
 }
 
-std::vector<std::byte> read_file(const std::filesystem::path& path) {
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t most) {
   const std::string name = input_name(path);
+  if (most == 0) most = physical_memory() / 2;
+  if (most == 0) most = std::numeric_limits<std::uint64_t>::max() - 1;  // the system does not tell
   try {
-    if (path == "-") return read_all(STDIN_FILENO, name);
+    if (path == "-") return read_all(STDIN_FILENO, name, most);
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.is_open()) fail_to_read(name, errno);
-    return read_all(file.number(), name);
+    return read_all(file.number(), name, most);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::limit, "does not fit into memory", name, "choose a smaller file");
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -14,8 +15,10 @@ namespace velum {
 /// reason
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Reads a whole file; "-" is standard input. @throws Error (read) with the path and the system's reason
-std::vector<std::byte> read_file(const std::filesystem::path& path);
+/// Reads a whole file; "-" is standard input. @throws Error (read) with the path and the system's reason;
+/// (limit) for a file, or a pipe that does not end, of more bytes than `most` (0: half of the machine's
+/// memory)
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t most = 0);
 
 /// How messages call a file that is read: its path, or "standard input" for "-".
 std::string input_name(const std::filesystem::path& path);

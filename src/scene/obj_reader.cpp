@@ -67,7 +67,7 @@ void ObjBuilder::read_libraries(const std::filesystem::path& directory) {
   const auto read_once = [&](std::string_view named) {
     std::error_code ignored;
     if (directory.empty() || named.empty()) return false;
-    const std::filesystem::path path = beside(directory, named);
+    const std::filesystem::path path = beside(directory, named).lexically_normal();
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
     if (seen.insert(path).second) read_library(path);
     return true;
@@ -96,7 +96,8 @@ void ObjBuilder::triangulate() {
   std::size_t count = 0;
   for (const ObjPolygon& polygon : in_.polygons) count += polygon.corner_count - 2;
   triangles_.reserve(count);
-  Triangulator triangulator;
+  Triangulator triangulator(Triangulator::steps_for(file_bytes_));
+  std::string first_fan;
   std::vector<glm::vec3> outline;
   std::size_t first = 0, run = 0;
   for (std::size_t i = 0; i < in_.polygons.size(); ++i) {
@@ -114,10 +115,13 @@ void ObjBuilder::triangulate() {
                       std::to_string(Triangulator::most_concave_corners),
                   name_ + ":" + std::to_string(polygon.line), "triangulate it in the program it comes from");
     }
+    if (triangulator.fan_count() == 1 && first_fan.empty())
+      first_fan = "in line " + std::to_string(polygon.line);
     for (std::size_t t = before; t < triangles_.size(); ++t)
       triangles_[t] += static_cast<std::uint32_t>(first);
     first += polygon.corner_count;
   }
+  if (!first_fan.empty()) in_.notes.push_back(triangulator.note_on_fans(first_fan));
   for (; run < in_.runs.size(); ++run) pieces_.push_back({triangles_.size(), 0});
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     pieces_[i].end_triangle = i + 1 < pieces_.size() ? pieces_[i + 1].first_triangle : triangles_.size();

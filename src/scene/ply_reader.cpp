@@ -319,7 +319,8 @@ void PlyParser::triangulate() {
       ++small_faces;
   }
   triangles_.reserve(count);
-  Triangulator triangulator;
+  Triangulator triangulator(Triangulator::steps_for(file_bytes_));
+  std::string first_fan;
   std::vector<glm::vec3> outline;
   std::size_t first = 0;
   for (std::size_t face = 0; face < corner_counts_.size(); first += corner_counts_[face++]) {
@@ -334,10 +335,13 @@ void PlyParser::triangulate() {
                       std::to_string(Triangulator::most_concave_corners),
                   name_, "triangulate it in the program it comes from");
     }
+    if (triangulator.fan_count() == 1 && first_fan.empty())
+      first_fan = "face " + std::to_string(face) + " (from 0)";
     for (std::size_t t = before; t < triangles_.size(); ++t) {
       for (int i = 0; i < 3; ++i) triangles_[t][i] = corners_[first + triangles_[t][i]];
     }
   }
+  if (!first_fan.empty()) notes_.push_back(triangulator.note_on_fans(first_fan));
   if (small_faces > 0)
     notes_.push_back(std::to_string(small_faces) + " faces with fewer than three corners are left out");
 }

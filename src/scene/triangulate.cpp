@@ -67,6 +67,12 @@ bool Triangulator::triangulate(std::span<const glm::vec3> corners, std::vector<g
   return true;
 }
 
+std::string Triangulator::note_on_fans(const std::string& first) const {
+  return std::to_string(fan_count_) + " concave polygons, the first " + first +
+         ", are filled as fans and may look wrong: to cut them up rightly would take too long; triangulate " +
+         "them in the program they come from";
+}
+
 // Drops the axis the normal leans to most: exact, and the area shrinks by a factor of √3 at most.
 void Triangulator::project(std::span<const glm::vec3> corners, int axis, bool mirrored) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -102,9 +108,16 @@ bool Triangulator::is_convex() const {
 // clipping an ear changes the answer for its two neighbours only, so a queue of candidates makes it O(n ·
 // reflex).
 void Triangulator::clip_ears(std::vector<glm::uvec3>& triangles) {
+  const std::size_t before = triangles.size();
   start_ears();
   int rounds = 1;
   while (left_ > 3) {
+    if (steps_left_ == 0) {
+      triangles.resize(before);
+      append_fan(points_.size(), 0, triangles);
+      ++fan_count_;
+      return;
+    }
     std::uint32_t corner = next_candidate();
     if (corner == none && rounds < most_rounds) {
       ++rounds;
@@ -139,6 +152,7 @@ void Triangulator::push(std::uint32_t corner) {
 }
 
 void Triangulator::push_all() {
+  spend(left_);
   candidates_.clear();
   first_candidate_ = 0;
   std::uint32_t corner = some_corner_;
@@ -174,13 +188,14 @@ void Triangulator::update_reflex(std::uint32_t corner) {
   }
 }
 
-bool Triangulator::is_ear(std::uint32_t corner) const {
+bool Triangulator::is_ear(std::uint32_t corner) {
   return reflex_at_[corner] == none && !is_blocked(corner);
 }
 
 // Whether a reflex corner lies in the closed triangle at the corner. One that coincides with a corner of the
 // triangle (the ends of a double edge) does not block: its chain would have another corner inside.
-bool Triangulator::is_blocked(std::uint32_t corner) const {
+bool Triangulator::is_blocked(std::uint32_t corner) {
+  spend(reflex_.size());
   const glm::vec2 a = points_[links_[corner].previous], b = points_[corner], c = points_[links_[corner].next];
   const glm::vec2 lower(std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}));
   const glm::vec2 upper(std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}));
@@ -214,7 +229,8 @@ void Triangulator::clip(std::uint32_t corner, std::vector<glm::uvec3>& triangles
 }
 
 // No ear is left: a corner on a line costs nothing; else (the polygon crosses itself) a convex one, or any.
-std::uint32_t Triangulator::least_bad() const {
+std::uint32_t Triangulator::least_bad() {
+  spend(left_);
   std::uint32_t convex = none;
   std::uint32_t corner = some_corner_;
   do {

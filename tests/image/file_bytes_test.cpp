@@ -120,6 +120,23 @@ TEST_CASE("what cannot be read says path and reason") {
   CHECK_THROWS_WITH_AS(read_png(missing), doctest::Contains("nothere"), Error);
 }
 
+TEST_CASE("more bytes than may be read are an error, also of a pipe that never ends") {
+  const Folder folder;
+  write_file(folder.path / "ten", std::vector<std::byte>(10));
+  CHECK(read_file(folder.path / "ten", 10).size() == 10);
+  const auto kind_of_error = [](const fs::path& path, std::uint64_t most) {
+    try {
+      read_file(path, most);
+    } catch (const Error& error) {
+      CHECK(std::string(error.what()).find(path.string()) == 0);
+      return error.kind();
+    }
+    return ErrorKind::cancelled;
+  };
+  CHECK(kind_of_error(folder.path / "ten", 9) == ErrorKind::limit);
+  CHECK(kind_of_error("/dev/zero", 100000) == ErrorKind::limit);
+}
+
 TEST_CASE("- is standard output and standard input") {
   const Folder folder;
   const fs::path path = folder.path / "stream";

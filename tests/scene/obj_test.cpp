@@ -281,6 +281,15 @@ TEST_CASE("OBJ: libraries beside the file, with blanks in names, several in a li
   CHECK(contains(scene.notes[1], "b.png"));  // is not there
 }
 
+TEST_CASE("OBJ: a library that is named in two ways is read once") {
+  const Folder folder("twice");
+  folder.write("a.mtl", "newmtl red\nKd 1 0 0\nmap_Bump b.png\n");
+  folder.write("a.obj", with_square("mtllib a.mtl\nmtllib ./a.mtl .//a.mtl\nusemtl red\nf 1 2 3\n"));
+  const Scene scene = folder.load("a.obj");
+  REQUIRE(scene.notes.size() == 1);  // of what is left out
+  CHECK(contains(scene.notes[0], "map_Bump"));
+}
+
 TEST_CASE("OBJ: no bytes crash, hang or take too much memory") {
   const std::string text = with_square(
       "vt 0 0\nvn 0 0 1\nmtllib a.mtl\no a\nusemtl m\nf 1/1/1 2//1 3/1 4\nf -1 -2 -3\nl 1 2\n"

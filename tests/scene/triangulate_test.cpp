@@ -213,6 +213,38 @@ TEST_CASE("only concave polygons are limited") {
   CHECK(triangles.size() == stairs.size() - 2);
 }
 
+TEST_CASE("concave polygons beyond the work allowed become fans, the same ones every time") {
+  Random random{5};
+  std::vector<std::vector<glm::vec3>> polygons;  // crossing themselves: the dearest kind
+  for (int i = 0; i < 20; ++i) {
+    std::vector<glm::vec3> corners(200);
+    for (glm::vec3& corner : corners) {
+      corner = {static_cast<float>(random.uniform()), static_cast<float>(random.uniform()), 0.0f};
+    }
+    polygons.push_back(corners);
+  }
+  const auto fans = [&polygons](std::uint64_t steps) {
+    Triangulator triangulator(steps);
+    std::vector<glm::uvec3> triangles;
+    for (const std::vector<glm::vec3>& corners : polygons) {
+      CHECK(triangulator.triangulate(corners, triangles));
+    }
+    CHECK(triangles.size() == polygons.size() * 198);
+    return triangulator.fan_count();
+  };
+  CHECK(fans(Triangulator::steps_for(0)) == 0);
+  CHECK(fans(0) == 20);
+  const std::size_t some = fans(200000);
+  CHECK(some > 0);
+  CHECK(some < 20);
+  CHECK(fans(200000) == some);
+  // Convex ones cost nothing, and are right when nothing is left.
+  Triangulator spent(0);
+  std::vector<glm::uvec3> triangles;
+  spent.triangulate(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, triangles);
+  CHECK(spent.fan_count() == 0);
+}
+
 TEST_CASE("[long] large concave polygons") {
   Random random{4};
   check_in_space(star(random, Triangulator::most_concave_corners), random);
