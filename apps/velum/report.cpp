@@ -28,6 +28,7 @@ Json counters_json(const Counters& c) {
           {"trivially_rejected", c.trivially_rejected},
           {"clipped", c.clipped},
           {"clipped_away", c.clipped_away},
+          {"at_eye", c.at_eye},
           {"outside", by_plane(c.outside)},
           {"cut_by", by_plane(c.cut_by)},
           {"segments", c.segments},

@@ -23,6 +23,7 @@ struct Counters {
   std::uint64_t trivially_rejected = 0;  ///< AND of the outcodes is not 0
   std::uint64_t clipped = 0;             ///< cut by at least one plane, something left
   std::uint64_t clipped_away = 0;        ///< neither accepted nor rejected, but nothing left
+  std::uint64_t at_eye = 0;              ///< dropped: a corner is the centre of projection itself (w = 0)
   std::uint64_t outside[6] = {};         ///< triangles wholly outside plane i (bit i of the outcode)
   std::uint64_t cut_by[6] = {};          ///< triangles cut by plane i
   std::uint64_t screen_triangles = 0;    ///< pieces that reached the raster; two for a segment or point

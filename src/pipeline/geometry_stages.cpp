@@ -105,7 +105,9 @@ void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Vi
   const std::span<const glm::dvec4> polygon =
       is_whole ? std::span<const glm::dvec4>(triangle.vertices) : clipped.span();
   for (const glm::dvec4& vertex : polygon) {
-    if (!(vertex.w > 0.0)) return;  // the centre of projection itself: no place on the picture
+    if (vertex.w > 0.0) continue;
+    ++counters.at_eye;  // the centre of projection itself has no place on the picture
+    return;
   }
   ScreenTriangle prototype;
   prototype.primitive = primitive;

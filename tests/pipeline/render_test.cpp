@@ -5,6 +5,8 @@
 #include <limits>
 #include <velum/velum.hpp>
 
+#include "pipeline/stages.hpp"
+
 using namespace velum;
 
 namespace {
@@ -213,6 +215,20 @@ TEST_CASE("the widest picture allowed: 32768 x 16") {
   const Picture picture = render(scene, view_of(scene, 32768.0 / 16.0), size(32768, 16));
   CHECK(picture.coverage() > 0.0);
   CHECK(picture.bounding_box().height > 10);
+}
+
+TEST_CASE("a triangle with a corner in the centre of projection is dropped and counted") {
+  AssembledTriangle triangle;
+  triangle.vertices = {glm::dvec4(0, 0, 0.5, 1), glm::dvec4(0.5, 0, 0.5, 1), glm::dvec4(0.0)};
+  Counters counters;
+  std::vector<ScreenTriangle> pieces;
+  set_up(triangle, 0, {64, 64}, counters, pieces);
+  CHECK(pieces.empty());
+  CHECK(counters.at_eye == 1);
+  triangle.vertices[2] = {0, 0.5, 0.5, 1};
+  set_up(triangle, 0, {64, 64}, counters, pieces);
+  CHECK(pieces.size() == 1);
+  CHECK(counters.at_eye == 1);
 }
 
 TEST_CASE("requests that cannot be met are errors before work begins") {
