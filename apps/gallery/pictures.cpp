@@ -1,5 +1,7 @@
 #include "pictures.hpp"
 
+#include <velum/shading/shading_names.hpp>
+
 #include "html_text.hpp"
 
 namespace velum_gallery {
@@ -30,24 +32,6 @@ std::string parameters_text(const ProjectionEntry& entry) {
   return text;
 }
 
-struct NamedShading {
-  const char* name;
-  Shading shading;
-  bool wireframe = false;
-};
-
-constexpr NamedShading shadings[] = {
-    {"flat", Shading::flat},
-    {"gouraud", Shading::gouraud},
-    {"phong", Shading::phong},
-    {"normal", Shading::normal},
-    {"depth", Shading::depth},
-    {"object-id", Shading::object_id},
-    {"triangle-id", Shading::triangle_id},
-    {"barycentric", Shading::barycentric},
-    {"wireframe", Shading::flat, true},
-};
-
 }  // namespace
 
 Section render_projection(Renderer& renderer, const ProjectionEntry& entry,
@@ -73,15 +57,19 @@ Section render_shadings(Renderer& renderer, const Subject& subject, const std::f
                   "",         "The same visible surfaces, seen through each shading and debug view.",
                   "",         "",
                   {}};
-  for (const NamedShading& named : shadings) {
-    RenderSettings settings;
+  const auto add = [&](const std::string& name, const RenderSettings& settings) {
+    const std::string file = "shading_" + name + ".png";
+    section.shots.push_back(shoot(renderer, subject, projection::perspective(), settings, folder, file));
+    section.shots.back().caption = name;
+  };
+  RenderSettings settings;
+  for (const NamedShading& named : shading_names) {
     settings.shading = named.shading;
-    settings.wireframe = named.wireframe;
-    Shot shot = shoot(renderer, subject, projection::perspective(), settings, folder,
-                      std::string("shading_") + named.name + ".png");
-    shot.caption = named.name;
-    section.shots.push_back(std::move(shot));
+    add(named.name, settings);
   }
+  settings.shading = Shading::flat;
+  settings.wireframe = true;
+  add("wireframe", settings);
   return section;
 }
 

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <velum/shading/shading_names.hpp>
 #include <velum/velum.hpp>
 
 #include "blank_reason.hpp"
@@ -20,14 +21,11 @@ namespace {
 
 using namespace velum;
 
-const std::map<std::string, Shading> shading_names{{"flat", Shading::flat},
-                                                   {"gouraud", Shading::gouraud},
-                                                   {"phong", Shading::phong},
-                                                   {"normal", Shading::normal},
-                                                   {"depth", Shading::depth},
-                                                   {"object-id", Shading::object_id},
-                                                   {"triangle-id", Shading::triangle_id},
-                                                   {"barycentric", Shading::barycentric}};
+const std::map<std::string, Shading> shadings = [] {
+  std::map<std::string, Shading> names;
+  for (const NamedShading& named : shading_names) names[named.name] = named.shading;
+  return names;
+}();
 const std::map<std::string, Cull> cull_names{
     {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
 
@@ -65,7 +63,7 @@ void add_picture_options(CLI::App& parser, RenderOptions& o) {
       ->type_name("COLOUR");
   o.visibility.add_to(parser);
   parser.add_option("--shading", o.shading, "How surfaces are coloured (default: phong)")
-      ->check(CLI::IsMember(&shading_names));
+      ->check(CLI::IsMember(&shadings));
   parser.add_option("--texture-filter", o.texture_filter, "How textures are filtered (default: trilinear)")
       ->check(CLI::IsMember(&texture_filter_names));
   parser.add_option("--cull", o.cull, "Which triangles are left out by the way they face (default: none)")
@@ -124,7 +122,7 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.height = size.height;
   settings.background = colour_from(o.background, "--background");
   o.visibility.apply_to(settings);
-  settings.shading = shading_names.at(o.shading);
+  settings.shading = shadings.at(o.shading);
   settings.texture_filter = texture_filter_names.at(o.texture_filter);
   settings.cull = cull_names.at(o.cull);
   settings.wireframe = o.wireframe;
@@ -172,8 +170,10 @@ int run(const RenderOptions& o) {
   scene.up = view.up_axis();
   const Aabb bounds = scene.bounds();
   const Camera camera = frame(scene.points(), view.projection, view.framing);
-  const Picture picture = render(scene, camera, settings);
-  clear_progress(settings.progress);
+  const Picture picture = [&] {
+    const ProgressLine line(settings.progress);
+    return render(scene, camera, settings);
+  }();
 
   write_all(o, outputs, picture, camera, settings);
   if (!o.quiet) {
