@@ -35,6 +35,7 @@ std::vector<std::string> notes_on(const Mesh& mesh, const MeshFacts& facts) {
   note(facts.irregular_edges, "edge", "where triangles meet irregularly");
   note(facts.zero_area, "triangle", "without area");
   note(facts.not_finite, "vertex position", "not finite");
+  note(facts.skipped, "triangle", "with a position that is not finite: not drawn");
   return notes;
 }
 
@@ -107,6 +108,7 @@ Json mesh_json(const Mesh& mesh) {
           {"boundary_edges", facts.boundary_edges},
           {"irregular_edges", facts.irregular_edges},
           {"triangles_without_area", facts.zero_area},
+          {"triangles_not_finite", facts.skipped},
           {"notes", notes_on(mesh, facts)}};
 }
 
@@ -141,8 +143,8 @@ void print_mesh(const Mesh& mesh) {
   const std::string attributes = attributes_of(mesh);
   std::cout << "  mesh \"" << mesh.name << "\": " << grouped_text(mesh.positions.size()) << " vertices, "
             << primitives_text(mesh.triangles.size(), mesh.segments.size(), mesh.points.size())
-            << (attributes.empty() ? "" : ", with ") << attributes
-            << (facts.is_closed() && !mesh.triangles.empty() ? ", closed" : "") << '\n';
+            << (attributes.empty() ? "" : ", with ") << attributes << (facts.is_closed() ? ", closed" : "")
+            << '\n';
   for (const std::string& note : notes_on(mesh, facts)) std::cout << "    note: " << note << '\n';
 }
 

@@ -11,16 +11,23 @@ namespace {
 
 using velum::Mesh;
 
-/// For every vertex the number of its position; equal positions have equal numbers.
+constexpr std::uint32_t nowhere = 0xFFFFFFFFu;
+
+/// For every vertex the number of its position; equal positions have equal numbers, and those that are not
+/// finite `nowhere`.
 std::vector<std::uint32_t> weld(const Mesh& mesh, MeshFacts& facts) {
   std::map<std::array<float, 3>, std::uint32_t> number_of;
   std::vector<std::uint32_t> numbers;
   numbers.reserve(mesh.positions.size());
   for (const glm::vec3& p : mesh.positions) {
     const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    if (!finite) ++facts.not_finite;
-    const std::array<float, 3> key = finite ? std::array{p.x, p.y, p.z} : std::array{0.0f, 0.0f, 0.0f};
-    numbers.push_back(number_of.try_emplace(key, static_cast<std::uint32_t>(number_of.size())).first->second);
+    if (!finite) {
+      ++facts.not_finite;
+      numbers.push_back(nowhere);
+      continue;
+    }
+    const auto next = static_cast<std::uint32_t>(number_of.size());
+    numbers.push_back(number_of.try_emplace({p.x, p.y, p.z}, next).first->second);
   }
   facts.welded_vertices = number_of.size();
   return numbers;
@@ -40,6 +47,10 @@ std::vector<Edge> sorted_edges(const Mesh& mesh, MeshFacts& facts) {
   edges.reserve(mesh.triangles.size() * 3);
   for (const glm::uvec3& t : mesh.triangles) {
     const std::array<std::uint32_t, 3> v{welded[t.x], welded[t.y], welded[t.z]};
+    if (std::find(v.begin(), v.end(), nowhere) != v.end()) {
+      ++facts.skipped;
+      continue;
+    }
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
       ++facts.zero_area;
       continue;
@@ -64,6 +75,7 @@ MeshFacts facts_of(const Mesh& mesh) {
     std::size_t upwards = 0;
     for (; end < edges.size() && edges[end].key() == edges[first].key(); ++end) upwards += edges[end].upwards;
     const std::size_t uses = end - first;
+    ++facts.edges;
     if (uses == 1) ++facts.boundary_edges;
     if (uses > 2 || (uses == 2 && upwards != 1)) ++facts.irregular_edges;
     first = end;

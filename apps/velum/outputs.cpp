@@ -55,6 +55,10 @@ void check_extension(const Output& output) {
       })) {
     return;
   }
+  if (output.path.has_parent_path() && !output.path.has_filename()) {
+    throw Error(ErrorKind::usage, "\"" + output.path.string() + "\" names a folder", output.option,
+                "give the name of a file in it that ends in " + joined(known));
+  }
   throw Error(ErrorKind::usage, "cannot tell the format of \"" + output.path.string() + "\"", output.option,
               "give a name that ends in " + joined(known));
 }
@@ -62,6 +66,9 @@ void check_extension(const Output& output) {
 void check_folder(const Output& output) {
   const fs::path folder = output.path.parent_path();
   std::error_code ignored;
+  if (fs::is_directory(output.path, ignored)) {
+    throw Error(ErrorKind::write, "is a folder", output.path.string(), "give the name of a file in it");
+  }
   if (folder.empty() || fs::is_directory(folder, ignored)) return;
   throw Error(ErrorKind::write, "there is no folder \"" + folder.string() + "\"", output.path.string(),
               "make it, or give another name");

@@ -16,8 +16,8 @@ velum::Progress terminal_progress(bool quiet) {
   };
 }
 
-void clear_progress(const velum::Progress& progress) {
-  if (progress) std::cerr << "\r                \r" << std::flush;
+ProgressLine::~ProgressLine() {
+  if (is_shown_) std::cerr << "\r                \r" << std::flush;
 }
 
 }  // namespace velum_app

@@ -94,6 +94,25 @@ TEST_CASE("an output that cannot be written ends with 4 and leaves nothing") {
   check_refused("render builtin:cube --depth nowhere/d.npy", 4, "nowhere");
 }
 
+TEST_CASE("an output that is a folder is refused before any work") {
+  check_refused("render nothere.obj -o sub/", 2, "names a folder");
+  check_refused("render nothere.obj -o new.png/", 2, "names a folder");
+  const Workplace place;
+  std::filesystem::create_directories(place.path("taken.png"));
+  for (const std::string option : {"-o taken.png", "--object-ids taken.png"}) {
+    const Outcome outcome = place.velum("render nothere.obj " + option);
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, "taken.png: is a folder"));
+  }
+}
+
+TEST_CASE("numbers of extreme size and empty names end with a message that helps") {
+  check_refused("render builtin:cube --near 1e-300 --far 1e300", 2, "near 1e-300, far 1e+300");
+  check_refused("render builtin:cube --target 1e300,0,0", 2, "usual size");
+  check_refused("render builtin:", 2, "known are tetrahedron");
+  check_refused("render ''", 3, "the file name is empty");
+}
+
 TEST_CASE("an output whose place is taken by a folder ends with 4 and leaves no partial file") {
   const Workplace place;
   std::filesystem::create_directories(place.path("cube.png/inside"));

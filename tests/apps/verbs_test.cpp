@@ -99,6 +99,19 @@ TEST_CASE("velum info tells of open edges") {
   CHECK(contains(place.velum("info triangle.obj").out, "3 edges with a triangle on one side only"));
 }
 
+TEST_CASE("velum info tells triangles with a position that is not finite from those without area") {
+  const Workplace place;
+  place.write("odd.obj",
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 0 inf 0\nf 1 2 3\nf 3 2 1\nf 1 4 5\nf 1 1 2\n");
+  const json mesh = json::parse(place.velum("info odd.obj --json").out)["meshes"][0];
+  CHECK(mesh["triangles_not_finite"] == 1);
+  CHECK(mesh["triangles_without_area"] == 1);
+  CHECK(mesh["boundary_edges"] == 0);
+  CHECK(mesh["closed"] == false);  // what the third triangle would close is not known
+  CHECK(
+      contains(place.velum("info odd.obj").out, "1 triangle with a position that is not finite: not drawn"));
+}
+
 TEST_CASE("velum projections lists the catalogue with parameters and sources") {
   const Workplace place;
   const json list = json::parse(place.velum("projections --json").out);
