@@ -128,6 +128,13 @@ TEST_CASE("what is not understood is named, with what would be") {
   }
 }
 
+TEST_CASE("views that no standard defines say that they are derived") {
+  for (const ProjectionEntry& entry : projection_catalogue()) {
+    const bool is_derived = entry.name == "dimetric" || entry.name == "dimetric-2to1";
+    CHECK((entry.source.find("derived") == 0) == is_derived);
+  }
+}
+
 TEST_CASE("numbers are read alike in a locale with a decimal comma") {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* locale : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8"}) {
