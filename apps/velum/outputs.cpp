@@ -74,6 +74,17 @@ void check_folder(const Output& output) {
               "make it, or give another name");
 }
 
+void check_png_size(const fs::path& path, const Size& size, bool opaque, const std::string& remedy) {
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+  if (pixels * (opaque ? 3 : 4) <= largest_png_bytes) return;
+  throw Error(ErrorKind::usage,
+              std::to_string(size.width) + "x" + std::to_string(size.height) +
+                  " pixels are more than a PNG can be written with (" +
+                  grouped_text(largest_png_bytes / (opaque ? 3 : 4)) + ")",
+              path == "-" ? "standard output" : path.string(), remedy);
+}
+
 void check_png_size_of(const Output& output, const Size& size, bool opaque) {
   const bool is_standard_output = output.path == "-" && output.kind == OutputKind::colour;
   if (!is_standard_output && !has_extension(output, ".png")) return;
@@ -122,17 +133,6 @@ void write_colour(const Output& output, const Image<Rgba8>& colour) {
 }
 
 }  // namespace
-
-void check_png_size(const fs::path& path, const Size& size, bool opaque, const std::string& remedy) {
-  const std::uint64_t pixels =
-      static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-  if (pixels * (opaque ? 3 : 4) <= largest_png_bytes) return;
-  throw Error(ErrorKind::usage,
-              std::to_string(size.width) + "x" + std::to_string(size.height) +
-                  " pixels are more than a PNG can be written with (" +
-                  grouped_text(largest_png_bytes / (opaque ? 3 : 4)) + ")",
-              path == "-" ? "standard output" : path.string(), remedy);
-}
 
 void check_outputs(const std::vector<Output>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {

@@ -28,11 +28,6 @@ void check_outputs(const std::vector<Output>& outputs);
 /// @throws velum::Error (usage) naming the PNG
 void check_png_sizes(const std::vector<Output>& outputs, const Size& size, bool opaque);
 
-/// @throws velum::Error (usage) if a PNG cannot hold so many pixels
-/// @param remedy  what the person can do besides asking for a smaller picture
-void check_png_size(const std::filesystem::path& path, const Size& size, bool opaque,
-                    const std::string& remedy);
-
 /// Writes one output, whole or not at all. @pre checked, and not the report. @throws velum::Error (write)
 void write_output(const Output& output, const velum::Picture& picture);
 

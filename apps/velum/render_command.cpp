@@ -44,7 +44,7 @@ struct RenderOptions {
   bool quiet = false;
   bool report_work = false;
   std::optional<std::string> crop;
-  std::uint64_t layers = 0;
+  std::string layers = "0";
   std::optional<std::string> picture, depth, metric_depth, normals, object_ids, triangle_ids, report;
 };
 
@@ -126,7 +126,7 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.texture_filter = texture_filter_names.at(o.texture_filter);
   settings.cull = cull_names.at(o.cull);
   settings.wireframe = o.wireframe;
-  settings.layers = o.layers;
+  settings.layers = whole_number_from(o.layers, "--layers");
   o.lines.apply_to(settings);
   if (o.crop) settings.crop = rect_from(*o.crop, "--crop");
   settings.progress = terminal_progress(o.quiet);

@@ -55,18 +55,19 @@ void write_report(const ViewsOptions& o, const Sheet& sheet) {
   write_file(*o.report, std::as_bytes(std::span(text)));
 }
 
-void check_extension(const std::string& path, const char* option, const std::string& extension) {
-  if (path == "-" || std::filesystem::path(path).extension() == extension) return;
-  throw Error(ErrorKind::usage, "\"" + path + "\" does not end in " + extension, option,
-              "a file of this kind is written as " + extension);
+std::vector<Output> outputs_from(const ViewsOptions& o, const Size& size) {
+  std::vector<Output> outputs;
+  outputs.push_back({OutputKind::colour, "-o", o.picture ? *o.picture : stem_of(o.input) + "-views.png"});
+  if (o.report) outputs.push_back({OutputKind::report, "--report", *o.report});
+  check_outputs(outputs);
+  check_png_sizes(outputs, size, true);
+  return outputs;
 }
 
 int run(const ViewsOptions& o) {
   const Size size = size_from(o.size, "--size");
-  const std::string path = o.picture ? *o.picture : stem_of(o.input) + "-views.png";
-  check_extension(path, "-o", ".png");
-  if (o.report) check_extension(*o.report, "--report", ".json");
-  check_png_size(path, size, true, "ask for a smaller sheet");
+  const std::vector<Output> outputs = outputs_from(o, size);
+  const std::filesystem::path& path = outputs.front().path;
 
   Scene scene = read_scene(o.input);
   scene.up = o.world_up == "z" ? UpAxis::z : UpAxis::y;
@@ -76,11 +77,11 @@ int run(const ViewsOptions& o) {
   options.width = size.width;
   options.height = size.height;
   const Sheet sheet = draw_sheet(scene, options);
-  write_png(path, sheet.picture.view());
+  write_drawing(outputs.front(), sheet.picture);
   if (o.report) write_report(o, sheet);
   if (!o.quiet && path != "-") {
-    std::cout << path << ": " << size.width << 'x' << size.height << ", " << sheet.views.size() << " views, "
-              << o.angle << " angle\n";
+    std::cout << path.string() << ": " << size.width << 'x' << size.height << ", " << sheet.views.size()
+              << " views, " << o.angle << " angle\n";
   }
   return exit_ok;
 }
@@ -93,7 +94,7 @@ Verb add_views(CLI::App& program) {
   parser->add_option("IN", options->input, input_help)->required()->type_name("");
   parser
       ->add_option("-o,--output", options->picture,
-                   "The sheet, .png; - is standard output (default: NAME-views.png)")
+                   "The sheet, .png or .ppm; - is standard output (default: NAME-views.png)")
       ->type_name("FILE");
   parser->add_option("--layout", options->layout, "Which views (default: six)")
       ->check(CLI::IsMember(&layout_names));

@@ -67,9 +67,9 @@ void ObjBuilder::read_libraries(const std::filesystem::path& directory) {
   const auto read_once = [&](std::string_view named) {
     std::error_code ignored;
     if (directory.empty() || named.empty()) return false;
-    const std::filesystem::path path = beside(directory, named).lexically_normal();
+    const std::filesystem::path path = beside(directory, named);
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
-    if (seen.insert(path).second) read_library(path);
+    if (seen.insert(path.lexically_normal()).second) read_library(path);
     return true;
   };
   for (const std::string_view names : in_.libraries) {

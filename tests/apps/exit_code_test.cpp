@@ -55,6 +55,8 @@ TEST_CASE("options that cannot be used end with 2 and say which") {
   check_refused("render builtin:cube --background '#12345g'", 2, "--background");
   check_refused("render builtin:cube --crop 1,2,3", 2, "--crop");
   check_refused("render builtin:cube --shading toon", 2, "--shading");
+  check_refused("render builtin:cube --layers -1", 2, "--layers");
+  check_refused("render builtin:cube --layers 99999999999999999999", 2, "--layers");
   check_refused("render builtin:cube --world-up x", 2, "--world-up");
   check_refused("render builtin:cube --wat", 2, "--wat");
   check_refused("render builtin:spoon", 2, "spoon");
@@ -92,6 +94,7 @@ TEST_CASE("two outputs in one place end with 2") {
 TEST_CASE("an output that cannot be written ends with 4 and leaves nothing") {
   check_refused("render builtin:cube -o nowhere/cube.png", 4, "nowhere");
   check_refused("render builtin:cube --depth nowhere/d.npy", 4, "nowhere");
+  check_refused("views nothere.obj -o nowhere/v.png", 4, "there is no folder");
 }
 
 TEST_CASE("an output that is a folder is refused before any work") {
@@ -99,8 +102,9 @@ TEST_CASE("an output that is a folder is refused before any work") {
   check_refused("render nothere.obj -o new.png/", 2, "names a folder");
   const Workplace place;
   std::filesystem::create_directories(place.path("taken.png"));
-  for (const std::string option : {"-o taken.png", "--object-ids taken.png"}) {
-    const Outcome outcome = place.velum("render nothere.obj " + option);
+  for (const std::string command : {"render nothere.obj -o taken.png", "views nothere.obj -o taken.png",
+                                    "render nothere.obj --object-ids taken.png"}) {
+    const Outcome outcome = place.velum(command);
     CHECK(outcome.code == 4);
     CHECK(contains(outcome.err, "taken.png: is a folder"));
   }
