@@ -20,24 +20,20 @@ Span centres_between(std::int32_t a, std::int32_t b, std::int32_t c, int begin, 
           std::min((highest - half) >> subpixel_bits, end - 1)};
 }
 
-struct TileRange {
-  int left, top, right, bottom;  ///< inclusive
-};
-
 TileRange tiles_of(const RasterTriangle& t, const TileGrid& grid) {
   const Rect& target = grid.target;
   const Span x = centres_between(t.x[0], t.x[1], t.x[2], target.left, target.right());
   const Span y = centres_between(t.y[0], t.y[1], t.y[2], target.top, target.bottom());
-  return {(x.first - target.left) / tile_size, (y.first - target.top) / tile_size,
-          (x.last - target.left) / tile_size, (y.last - target.top) / tile_size};
+  const auto tile = [](int pixel) { return static_cast<std::uint16_t>(pixel / tile_size); };
+  return {tile(x.first - target.left), tile(y.first - target.top), tile(x.last - target.left),
+          tile(y.last - target.top)};
 }
 
-/// Calls visit(tile) for every tile that the triangle's box meets.
+/// Calls visit(tile) for every tile of the range.
 template <typename Visit>
-void for_each_tile(const RasterTriangle& triangle, const TileGrid& grid, const Visit& visit) {
-  const TileRange tiles = tiles_of(triangle, grid);
-  for (int row = tiles.top; row <= tiles.bottom; ++row) {
-    for (int column = tiles.left; column <= tiles.right; ++column) {
+void for_each_tile(const TileRange& range, const TileGrid& grid, const Visit& visit) {
+  for (int row = range.top; row <= range.bottom; ++row) {
+    for (int column = range.left; column <= range.right; ++column) {
       visit(static_cast<std::size_t>(row * grid.columns + column));
     }
   }
@@ -47,6 +43,7 @@ void for_each_tile(const RasterTriangle& triangle, const TileGrid& grid, const V
 
 void TileBins::clear() {
   triangles.clear();
+  ranges.clear();
   first_entry.clear();
   entries.clear();
 }
@@ -76,14 +73,16 @@ bool append_triangle(const ScreenTriangle& triangle, const Rect& target, TileBin
 
 void sort_into_tiles(const TileGrid& grid, TileBins& bins) {
   bins.first_entry.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
+  bins.ranges.clear();
   for (const RasterTriangle& triangle : bins.triangles) {
-    for_each_tile(triangle, grid, [&](std::size_t tile) { ++bins.first_entry[tile + 1]; });
+    bins.ranges.push_back(tiles_of(triangle, grid));
+    for_each_tile(bins.ranges.back(), grid, [&](std::size_t tile) { ++bins.first_entry[tile + 1]; });
   }
   for (std::size_t i = 1; i < bins.first_entry.size(); ++i) bins.first_entry[i] += bins.first_entry[i - 1];
   bins.entries.resize(bins.first_entry.back());
   // Each tile's beginning moves to its end while entries come in; then all move back by one.
   for (std::uint32_t i = 0; i < bins.triangles.size(); ++i) {
-    for_each_tile(bins.triangles[i], grid,
+    for_each_tile(bins.ranges[i], grid,
                   [&](std::size_t tile) { bins.entries[bins.first_entry[tile]++] = i; });
   }
   std::copy_backward(bins.first_entry.begin(), bins.first_entry.end() - 1, bins.first_entry.end());

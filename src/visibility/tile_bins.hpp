@@ -27,9 +27,15 @@ struct TileGrid {
   int top(int tile) const { return target.top + tile / columns * tile_size; }
 };
 
+/// The tiles that a triangle's box meets: columns left … right of rows top … bottom.
+struct TileRange {
+  std::uint16_t left, top, right, bottom;
+};
+
 /// Screen triangles sorted by the tiles they meet; the memory is kept from use to use.
 struct TileBins {
   std::vector<RasterTriangle> triangles;
+  std::vector<TileRange> ranges;           ///< of the triangles
   std::vector<std::uint32_t> first_entry;  ///< of each tile; one more at the end
   std::vector<std::uint32_t> entries;      ///< indices of triangles, tile after tile, in their order
 
