@@ -34,6 +34,11 @@ struct Span {
   int last;
 };
 
+/// From the smallest to the largest coordinate.
+HWY_INLINE std::int32_t extent(const std::int32_t (&v)[3]) {
+  return HWY_MAX(v[0], HWY_MAX(v[1], v[2])) - HWY_MIN(v[0], HWY_MIN(v[1], v[2]));
+}
+
 /// The pixels of the tile, along one axis, whose centres lie between the smallest and largest coordinate.
 HWY_INLINE Span covered(const std::int32_t (&v)[3], int tile_first) {
   const std::int32_t lowest = HWY_MIN(v[0], HWY_MIN(v[1], v[2]));
@@ -71,6 +76,18 @@ HWY_INLINE bool set_up_edge(const RasterTriangle& t, int from, int to, int left,
     edge = {static_cast<std::int32_t>(value), static_cast<std::int32_t>(-dy), static_cast<std::int32_t>(dx)};
   }
   return true;
+}
+
+/// The same for a triangle of less than small_extent: everything fits 32 bits, and its box is so small that
+/// no edge is worth a look at the window.
+constexpr std::int32_t small_extent = 1 << 13;
+HWY_INLINE TileEdge small_edge(const RasterTriangle& t, int from, int to, int left, int top) {
+  const std::int32_t dx = t.x[to] - t.x[from];
+  const std::int32_t dy = t.y[to] - t.y[from];
+  const std::int32_t px = left * 256 + 128 - t.x[from];
+  const std::int32_t py = top * 256 + 128 - t.y[from];
+  const bool owns_its_points = dy < 0 || (dy == 0 && dx > 0);
+  return {(dx * py - dy * px - (owns_its_points ? 0 : 1)) >> 8, -dy, dx};
 }
 
 /// A triangle within the tile.
@@ -275,6 +292,11 @@ HWY_INLINE void draw_triangle(const RasterTriangle& t, int left, int top, TileBu
   s.primitive = static_cast<std::int32_t>(t.primitive ^ 0x80000000u);
   s.x_from_ref = left - t.x_ref;
   s.y_from_ref = top - t.y_ref;
+  if (s.x.last - s.x.first < block_size && extent(t.x) < small_extent && extent(t.y) < small_extent) {
+    for (int i = 0; i < 3; ++i) s.edges[i] = small_edge(t, i, i == 2 ? 0 : i + 1, left, top);
+    draw_rows(t, s, tile);
+    return;
+  }
   if (s.x.last - s.x.first < block_size) {
     // A vector may run over the box on the right.
     const Span window_x{s.x.first, s.x.first + block_size - 1};
