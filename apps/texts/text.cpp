@@ -41,6 +41,17 @@ std::string counted_text(std::uint64_t count, const std::string& noun) {
   return grouped_text(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::string primitives_text(std::uint64_t triangles, std::uint64_t segments, std::uint64_t points) {
+  std::string text;
+  const auto append = [&text](std::uint64_t count, const std::string& noun) {
+    text += (text.empty() ? "" : ", ") + counted_text(count, noun);
+  };
+  if (triangles > 0 || segments + points == 0) append(triangles, "triangle");
+  if (segments > 0) append(segments, "segment");
+  if (points > 0) append(points, "point");
+  return text;
+}
+
 std::string percent_text(double share) {
   const double percent = share * 100.0;
   if (percent > 0.0 && percent < 0.1) return "< 0.1 %";

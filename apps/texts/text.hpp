@@ -13,6 +13,8 @@ std::string fixed_text(double value, int decimals);
 std::string grouped_text(std::uint64_t value);
 /// 1 → "1 triangle", 12 → "12 triangles"
 std::string counted_text(std::uint64_t count, const std::string& noun);
+/// "12 triangles", and the segments and points where there are any; "20,000 points" of a cloud.
+std::string primitives_text(std::uint64_t triangles, std::uint64_t segments, std::uint64_t points);
 /// A share 0…1 → "23 %"; small ones keep a decimal: "0.4 %", "< 0.1 %".
 std::string percent_text(double share);
 

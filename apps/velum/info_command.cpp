@@ -60,25 +60,13 @@ std::uint64_t vertex_count(const Scene& scene) {
   return count;
 }
 
-/// "12 triangles", and the segments and points where there are any.
-std::string primitives_text(std::uint64_t triangles, std::uint64_t segments, std::uint64_t points) {
-  std::string text;
-  const auto append = [&text](std::uint64_t count, const std::string& noun) {
-    text += (text.empty() ? "" : ", ") + counted_text(count, noun);
-  };
-  if (triangles > 0 || segments + points == 0) append(triangles, "triangle");
-  if (segments > 0) append(segments, "segment");
-  if (points > 0) append(points, "point");
-  return text;
-}
-
 std::uint64_t triangle_count(const Scene& scene) {
   std::uint64_t count = 0;
   for (const Instance& i : scene.instances()) count += scene.meshes()[i.mesh].triangles.size();
   return count;
 }
 
-std::string primitives_text(const Scene& scene) {
+std::string primitives_of(const Scene& scene) {
   std::uint64_t segments = 0, points = 0;
   for (const Instance& i : scene.instances()) {
     segments += scene.meshes()[i.mesh].segments.size();
@@ -150,7 +138,7 @@ void print_mesh(const Mesh& mesh) {
 
 void print_text(const std::string& input, const Scene& scene) {
   const Aabb box = scene.bounds();
-  std::cout << input << ": " << primitives_text(scene) << ", " << grouped_text(vertex_count(scene))
+  std::cout << input << ": " << primitives_of(scene) << ", " << grouped_text(vertex_count(scene))
             << " vertices, " << counted_text(scene.instances().size(), "instance") << ", "
             << counted_text(scene.materials().size(), "material") << '\n';
   if (box.is_empty()) {

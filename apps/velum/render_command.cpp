@@ -150,13 +150,14 @@ void write_all(const RenderOptions& o, const std::vector<Output>& outputs, const
 /// "bunny.png: 800x600, perspective, 69,451 triangles, 23 % covered"; on standard error where the picture
 /// itself goes to standard output.
 void print_summary(const std::vector<Output>& outputs, const Picture& picture, const Projection& projection) {
+  const Counters& c = picture.counters;
   bool stdout_is_taken = false;
   for (const Output& output : outputs) stdout_is_taken = stdout_is_taken || output.path == "-";
   const std::filesystem::path& path = outputs.front().path;
   (stdout_is_taken ? std::cerr : std::cout)
       << (path == "-" ? "standard output" : path.string()) << ": " << picture.colour.width() << 'x'
       << picture.colour.height() << ", " << projection.name << ", "
-      << counted_text(picture.counters.triangles, "triangle") << ", " << percent_text(picture.coverage())
+      << primitives_text(c.triangles, c.segments, c.points) << ", " << percent_text(picture.coverage())
       << " covered\n";
 }
 

@@ -12,6 +12,7 @@
 #include "obj_statements.hpp"
 #include "text_scanner.hpp"
 #include "triangulate.hpp"
+#include "vertex_colours.hpp"
 
 namespace velum {
 namespace {
@@ -299,6 +300,7 @@ Scene ObjBuilder::build() {
     in_.notes.push_back("the file has no faces: its vertices are drawn as points");
     scene.add(vertices_as_points());
   }
+  if (!in_.colours.empty()) show_vertex_colours(scene);
   scene.notes = std::move(in_.notes);
   return scene;
 }

@@ -13,7 +13,7 @@ namespace velum {
 /// order, so primitive ids follow the file; the line and point elements (l, p) among them become another one
 /// behind it, without normals; g and s are not used. Vertices are shared where position, texture
 /// coordinate and normal are the same. Colours behind a position are sRGB values 0…1, as Blender and MeshLab
-/// write them.
+/// write them; the material of faces that name none is then white.
 ///
 /// Corners without a normal get a smooth one, over all faces of the file that share the position, or the
 /// triangle's own. Without any face, line or point element every vertex is drawn as a

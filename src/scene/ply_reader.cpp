@@ -11,6 +11,7 @@
 #include "ply_header.hpp"
 #include "ply_values.hpp"
 #include "triangulate.hpp"
+#include "vertex_colours.hpp"
 
 namespace velum {
 namespace {
@@ -96,6 +97,7 @@ Scene PlyParser::parse(const LoadOptions& options) {
     const Mesh vertices = vertex_mesh();
     add_faces(vertices, options, scene);
     add_lines(vertices, scene);
+    if (!vertices.colours.empty()) show_vertex_colours(scene);
   }
   scene.notes = std::move(notes_);
   return scene;

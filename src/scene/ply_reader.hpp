@@ -12,8 +12,7 @@ namespace velum {
 /// elements and properties; what is not named here is skipped by its declared type.
 ///
 /// - vertex: x y z; nx ny nz; red green blue [alpha] (also r g b a, diffuse_red …); s t, u v, texture_u …
-/// Whole
-///   colours are sRGB codes, real ones linear.
+///   Whole colours are sRGB codes, real ones linear; the material below them is then white.
 /// - face: a list vertex_indices or vertex_index; polygons are triangulated.
 /// - tristrips: the same list; -1 begins a new strip.
 /// - edge: vertex1 vertex2; they become the segments of a second mesh, without normals unless the file has

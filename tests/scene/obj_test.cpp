@@ -147,6 +147,7 @@ TEST_CASE("OBJ: missing normals are smooth over the whole file, or flat, or fill
 TEST_CASE("OBJ: vertex colours are sRGB values, weights are not colours") {
   const Scene scene =
       read("v 0 0 0 1 0 0.5\nv 1 0 0 0.04045 0 0 0.25\nv 0 1 0\nv 0 0 1 0.5\nf 1 2 3 4\n", "a.obj");
+  CHECK(scene.materials()[0].base_colour == glm::vec3(1.0f));
   const Mesh& mesh = only_mesh(scene);
   REQUIRE(mesh.colours.size() == 4);
   CHECK(mesh.colours[0].x == 1.0f);

@@ -150,6 +150,16 @@ TEST_CASE("PLY: normals, texture coordinates and colours under their usual names
   CHECK(other.colours[2] == glm::vec4(1, 0, 0, 1));
 }
 
+TEST_CASE("PLY: colours are shown as they are, on white; without them the surface is grey") {
+  const std::string coloured = "ply\nformat ascii 1.0\nelement vertex 1\n" + std::string(xyz) +
+                               "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                               "end_header\n0 0 0 255 128 0\n";
+  CHECK(read(coloured, "a.ply").materials()[0].base_colour == glm::vec3(1.0f));
+  const std::string plain =
+      "ply\nformat ascii 1.0\nelement vertex 1\n" + std::string(xyz) + "end_header\n0 0 0\n";
+  CHECK(read(plain, "a.ply").materials()[0].base_colour == velum::Material{}.base_colour);
+}
+
 TEST_CASE("PLY: text is rounded once, also for doubles; whole numbers may be written 3.0") {
   const Mesh mesh =
       read(
