@@ -91,16 +91,15 @@ GoldenScene horizon(std::string name, TextureFilter filter) {
 
 GoldenScene large_triangles() {
   GoldenScene result = entry("large", large());
-  result.settings = sized(200, 150, Shading::flat);
-  result.projections = {"front", "isometric", "cabinet", "perspective"};
+  result.settings = sized(400, 300, Shading::flat);
   return result;
 }
 
-/// The widest picture there may be.
+/// The widest picture there may be. Where its row runs up the picture, hardly a pixel of it would be seen.
 GoldenScene widest() {
   GoldenScene result = entry("widest", wide());
   result.settings = sized(32768, 16);
-  result.projections = {"cabinet", "one-point"};
+  result.projections = {"front", "top", "cabinet", "one-point"};
   return result;
 }
 
