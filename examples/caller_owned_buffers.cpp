@@ -51,9 +51,9 @@ int main() {
   const velum::Counters counters = renderer.render_into(scene, camera, settings, target);
 
   const float depth_in_the_middle = target.metric_depth.at(width / 2, height / 2);
-  std::cout << counters.fragments_written << " pixels, depth in the middle " << depth_in_the_middle << '\n';
+  std::cout << counters.pixels_shaded << " pixels, depth in the middle " << depth_in_the_middle << '\n';
   // The quadrilateral spans a fifth of the picture in each direction, 5 units before the camera.
-  const bool right = counters.fragments_written == 40u * 40u && depth_in_the_middle > 4.9999f &&
-                     depth_in_the_middle < 5.0001f;
+  const bool right =
+      counters.pixels_shaded == 40u * 40u && depth_in_the_middle > 4.9999f && depth_in_the_middle < 5.0001f;
   return right ? 0 : 1;
 }

@@ -19,6 +19,7 @@ Counters& Counters::operator+=(const Counters& other) {
   trivially_rejected += other.trivially_rejected;
   clipped += other.clipped;
   clipped_away += other.clipped_away;
+  at_eye += other.at_eye;
   for (int i = 0; i < 6; ++i) outside[i] += other.outside[i];
   for (int i = 0; i < 6; ++i) cut_by[i] += other.cut_by[i];
   screen_triangles += other.screen_triangles;

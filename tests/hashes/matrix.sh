@@ -1,13 +1,15 @@
 #!/bin/sh
-# matrix.sh SOURCE BUILD: builds velum_hashes with each compiler and build type under BUILD, runs it plain,
+# matrix.sh SOURCE BUILD [VARIANT PROGRAM]: builds velum_hashes with each compiler and build type under BUILD, runs it plain,
 # without fused multiply-add in libm, for a caller that flushes denormals, and in a comma-decimal locale, and demands
-# that every output equals the committed hashes.txt.
+# that every output equals the committed hashes.txt. PROGRAM is a velum_hashes that is there, for its VARIANT.
 # VELUM_HASHES_VARIANTS names other builds than those below, "compiler-type" each.
 set -eu
 source=$(cd "$1" && pwd)
 mkdir -p "$2"
 build=$(cd "$2" && pwd)
 committed=$source/tests/hashes/hashes.txt
+built_variant=${3:-}
+built_program=${4:-}
 variants=${VELUM_HASHES_VARIANTS:-g++-Release clang++-Release g++-Debug clang++-Debug}
 
 LOCPATH=$build/locale
@@ -44,8 +46,12 @@ compare() { # NAME COMMAND...
 }
 
 for variant in $variants; do
-  make_program "$variant"
-  program=$build/$variant/bin/velum_hashes
+  if [ "$variant" = "$built_variant" ]; then
+    program=$built_program
+  else
+    make_program "$variant"
+    program=$build/$variant/bin/velum_hashes
+  fi
   compare "$variant" "$program"
   compare "$variant without FMA and AVX2 in libm" env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2 "$program"
   compare "$variant called with FTZ and DAZ" "$program" --ftz

@@ -1,15 +1,15 @@
 #!/bin/sh
-# mutations.sh SOURCE WORK CXX LIBRARY FLAGS OBJECTS...: plants ten small faults, one at a time, into copies of the two
+# mutations.sh SOURCE WORK CXX LIBRARIES FLAGS OBJECTS...: plants ten small faults, one at a time, into copies of the two
 # reference rasters and demands that the visibility tests see each of them; and that they pass without any.
 #
-# SOURCE   the project's tree             LIBRARY  the built library, which gives everything else
-# WORK     an empty folder of its own     FLAGS    compiler flags, separated by spaces
-# CXX      the compiler                   OBJECTS  the visibility tests' objects, separated by ;
+# SOURCE   the project's tree             LIBRARIES  the built library, which gives everything else, and what it links
+# WORK     an empty folder of its own     FLAGS      compiler flags; like the libraries, separated by spaces
+# CXX      the compiler                   OBJECTS    the visibility tests' objects, separated by ;
 set -eu
 source=$1
 work=$2
 cxx=$3
-library=$4
+libraries=$4
 flags=$5
 shift 5
 objects=$(printf '%s ' "$@" | tr ';' ' ')
@@ -36,7 +36,7 @@ run_with() {
   # shellcheck disable=SC2086 # flags and objects are several words
   "$cxx" $flags -O1 -I"$source/src/visibility" -c "$work/$1.cpp" -o "$work/$1.o" || return
   # shellcheck disable=SC2086
-  "$cxx" "$work/$1.o" $objects "$library" -o "$work/$1" || return
+  "$cxx" "$work/$1.o" $objects $libraries -o "$work/$1" || return
   timeout 60 "$work/$1" --source-file="$tests" --abort-after=1 >"$work/$1.log" 2>&1
 }
 
@@ -79,14 +79,13 @@ mutant zbuffer 'a swapped tie' \
   'is_nearer(r, triangle.primitive, buffer_r, buffer_id)' 'is_nearer(r, buffer_id, buffer_r, triangle.primitive)'
 mutant zbuffer 'the box begins right of a centre on its edge' \
   '(snapped - subpixels / 2 + subpixels - 1)' '(snapped - subpixels / 2 + subpixels)'
-mutant zbuffer 'peeling shows a fragment twice' \
-  'return !is_nearer(previous.reversed_depth.at(x, y), previous.primitive.at(x, y), r, triangle.primitive);' \
-  'return is_nearer(r, triangle.primitive, previous.reversed_depth.at(x, y), previous.primitive.at(x, y));'
+mutant zbuffer "an edge walked with another edge's step" 'e1 += edges[1].step_x;' 'e1 += edges[2].step_x;'
 
 mutant scanline 'a sample shifted by 1/256 pixel' \
   '(std::int64_t{upper.x} - subpixels / 2)' '(std::int64_t{upper.x} - subpixels / 2 + 1)'
 mutant scanline '<= for < in the step' 'if (edge.excess < 0)' 'if (edge.excess <= 0)'
-mutant scanline 'a swapped tie' '| (no_primitive - id)' '| id'
+mutant scanline 'a swapped tie' \
+  'nearness(r, id) <= nearness(buffer_r, buffer_id)' 'nearness(r, buffer_id) <= nearness(buffer_r, id)'
 mutant scanline 'a wrong remainder' '(width - step * height) * subpixels' '(width - step * height) * subpixels + 1'
 mutant scanline 'the top-left rule turned round' \
   'n = ceil_divide(numerator, edge.denominator)' 'n = floor_divide(numerator, edge.denominator) + 1'
