@@ -5,10 +5,13 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "contract.hpp"
+#include "error.hpp"
 #include "floating_point.hpp"
 
 #ifdef VELUM_HAS_TBB
@@ -51,18 +54,18 @@ int machine_threads() {
 class Workers {
  public:
   explicit Workers(int count) {
-    for (int worker = 1; worker <= count; ++worker) {
-      threads_.emplace_back([this, worker] { wait_for_jobs(worker); });
+    try {
+      for (int worker = 1; worker <= count; ++worker) {
+        threads_.emplace_back([this, worker] { wait_for_jobs(worker); });
+      }
+    } catch (const std::system_error&) {
+      end();
+      throw Error(ErrorKind::limit,
+                  "the system gives no more than " + std::to_string(threads_.size()) + " threads", "threads",
+                  "ask for fewer");
     }
   }
-  ~Workers() {
-    {
-      const std::lock_guard lock(mutex_);
-      is_over_ = true;
-    }
-    work_.notify_all();
-    for (std::thread& thread : threads_) thread.join();
-  }
+  ~Workers() { end(); }
 
   void run(Job& job) {
     {
@@ -78,6 +81,15 @@ class Workers {
   }
 
  private:
+  void end() {
+    {
+      const std::lock_guard lock(mutex_);
+      is_over_ = true;
+    }
+    work_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
   void wait_for_jobs(int worker) {
     std::size_t seen = 0;
     std::unique_lock lock(mutex_);

@@ -17,6 +17,7 @@ enum class ExecutorKind {
 class Executor {
  public:
   /// @param threads  how many, the calling one included; 0: as many as the machine runs at once
+  /// @throws Error (limit) if the system does not give that many
   explicit Executor(int threads = 1, ExecutorKind kind = ExecutorKind::tbb);
   ~Executor();
   Executor(Executor&&) noexcept;
@@ -28,6 +29,7 @@ class Executor {
   /// Calls function(index, worker) for index 0 … count-1 and returns when all are done. Calls that run at the
   /// same time have different workers, 0 … threads()-1: index scratch memory by it. Every call runs under a
   /// FloatingPointScope. Allocates nothing except inside oneTBB.
+  /// @pre one thread at a time, and not from within a call
   /// @throws what a call threw first; indices not yet begun are then left out
   template <typename Function>
   void for_each(std::size_t count, const Function& function) {

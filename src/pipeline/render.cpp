@@ -116,7 +116,7 @@ struct Frame {
   /// The vector kernels know the definition's depth only, and no lists.
   bool is_for_tiles() const {
     return settings.visibility == VisibilityMethod::zbuffer && settings.isa != Isa::reference &&
-           settings.depth_format == DepthFormat::reversed && lists == nullptr;
+           settings.depth_format == DepthFormat::reversed && lists == nullptr && is_worth_tiles(scene, rect);
   }
 
   void draw_scene() {

@@ -244,11 +244,12 @@ HWY_INLINE std::size_t set_up_lanes(const SetUpWork& work, const Gathered& g, st
   const Double zero = hn::Zero(doubles);
   const std::uint32_t positive = bits_of(hn::Gt(plane.determinant, zero)) & present;
   const std::uint32_t negative = bits_of(hn::Lt(plane.determinant, zero)) & present;
-  const std::uint32_t edge_on = present & ~(positive | negative);
+  const std::uint32_t edge_on = bits_of(hn::Eq(plane.determinant, zero)) & present;
+  const std::uint32_t neither = present & ~(positive | negative);  // edge-on, or too large for a number
   counts.edge_on += hwy::PopCount(edge_on);
   counts.back_facing += hwy::PopCount(work.is_back_positive ? positive : negative);
   const std::uint32_t culled = (work.cull_positive ? positive : 0u) | (work.cull_negative ? negative : 0u) |
-                               (work.cull_zero ? edge_on : 0u);
+                               (work.cull_zero ? neither : 0u);
   const std::uint32_t kept = present & ~culled;
   counts.culled += hwy::PopCount(culled);
   counts.accepted += hwy::PopCount(kept);

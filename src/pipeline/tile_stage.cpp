@@ -12,6 +12,12 @@ namespace {
 constexpr std::uint32_t batch_size = 8192;
 /// Primitives per round: bounds the memory for those that wait to be drawn.
 constexpr std::uint64_t round_size = std::uint64_t{1} << 19;
+/// Vertices per round, beyond which no further instance joins it: 41 bytes each.
+constexpr std::uint64_t round_vertices = std::uint64_t{1} << 21;
+/// Batches of a round times tiles: each batch has a table of the tiles, 4 bytes for each.
+constexpr std::uint64_t round_table = std::uint64_t{1} << 23;
+/// Batches times tiles of a frame: beyond that looking into the tables costs more than drawing plainly.
+constexpr std::uint64_t frame_table = std::uint64_t{1} << 26;
 /// Vertices transformed in one go.
 constexpr std::size_t vertex_chunk = 8192;
 
@@ -45,10 +51,13 @@ class TileStage {
     counters_.vertices += mesh.positions.size();
     const std::uint64_t primitives = mesh.triangles.size() + mesh.segments.size() + mesh.points.size();
     if (primitives == 0) return;
-    if (waiting_ + primitives > round_size) {
-      draw_round();
+    const std::uint64_t vertices_then = vertices_in_round_ + mesh.positions.size();
+    if (waiting_ + primitives > round_size || vertices_then > round_vertices) draw_round();
+    if (buffers_.used == 0) {
       instances_in_round_ = 0;
+      vertices_in_round_ = 0;
     }
+    vertices_in_round_ += mesh.positions.size();
     const std::uint32_t vertices = instances_in_round_++;
     if (buffers_.vertices.size() < instances_in_round_) buffers_.vertices.resize(instances_in_round_);
     transform(instance, mesh.positions.span(), buffers_.vertices[vertices]);
@@ -70,7 +79,8 @@ class TileStage {
       batch.last = last;
       waiting_ += last - first;
       // An instance of more than a round keeps its vertices for the next.
-      if (waiting_ >= round_size) draw_round();
+      const std::uint64_t table = (buffers_.used + 1) * static_cast<std::uint64_t>(grid_.count() + 1);
+      if (waiting_ >= round_size || table > round_table) draw_round();
     }
   }
 
@@ -137,11 +147,17 @@ class TileStage {
   const SetUpTriangles set_up_ = set_up_kernel(input_.settings.isa);
   const RasterizeTile draw_ = tile_raster(input_.settings.isa);
   std::uint32_t instances_in_round_ = 0;
+  std::uint64_t vertices_in_round_ = 0;
   std::uint64_t waiting_ = 0;  ///< primitives in batches
   std::uint64_t drawn_ = 0;    ///< primitives of earlier rounds
 };
 
 }  // namespace
+
+bool is_worth_tiles(const Scene& scene, const Rect& rect) {
+  const auto tiles = static_cast<std::uint64_t>(TileGrid(rect).count());
+  return scene.instances().size() * tiles <= frame_table;
+}
 
 void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
                    Counters& counters) {

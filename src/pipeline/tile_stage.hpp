@@ -30,6 +30,10 @@ struct TileStageInput {
   const std::function<void(double)>& progress;
 };
 
+/// Whether the picture's tiles and the scene's instances are few enough for draw_in_tiles(): not for tens of
+/// thousands of instances in thousands of tiles.
+bool is_worth_tiles(const Scene& scene, const Rect& rect);
+
 /// The production z-buffer: rounds of primitives are transformed, set up and sorted into tiles, then each
 /// tile draws its triangles while it stays in cache (sort-middle: Molnar, Cox, Ellsworth & Fuchs 1994, "A
 /// Sorting Classification of Parallel Rendering"). Each step runs on all threads; since the smaller

@@ -1,6 +1,7 @@
 #include "tile_bins.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace velum {
 namespace {
@@ -71,15 +72,37 @@ bool append_triangle(const ScreenTriangle& triangle, const Rect& target, TileBin
   return true;
 }
 
-void sort_into_tiles(const TileGrid& grid, TileBins& bins) {
-  bins.first_entry.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
+namespace {
+
+/// Fills bins.ranges. @return how many entries they make
+std::uint64_t find_ranges(const TileGrid& grid, TileBins& bins) {
+  std::uint64_t entries = 0;
   bins.ranges.clear();
   for (const RasterTriangle& triangle : bins.triangles) {
-    bins.ranges.push_back(tiles_of(triangle, grid));
-    for_each_tile(bins.ranges.back(), grid, [&](std::size_t tile) { ++bins.first_entry[tile + 1]; });
+    const TileRange range = tiles_of(triangle, grid);
+    entries += static_cast<std::uint64_t>(range.right - range.left + 1) *
+               static_cast<std::uint64_t>(range.bottom - range.top + 1);
+    bins.ranges.push_back(range);
+  }
+  return entries;
+}
+
+}  // namespace
+
+void sort_into_tiles(const TileGrid& grid, TileBins& bins) {
+  const std::uint64_t entries = find_ranges(grid, bins);
+  if (entries > most_tile_entries) {
+    bins.first_entry.clear();
+    bins.entries.resize(bins.triangles.size());
+    std::iota(bins.entries.begin(), bins.entries.end(), 0u);
+    return;
+  }
+  bins.first_entry.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
+  for (const TileRange& range : bins.ranges) {
+    for_each_tile(range, grid, [&](std::size_t tile) { ++bins.first_entry[tile + 1]; });
   }
   for (std::size_t i = 1; i < bins.first_entry.size(); ++i) bins.first_entry[i] += bins.first_entry[i - 1];
-  bins.entries.resize(bins.first_entry.back());
+  bins.entries.resize(static_cast<std::size_t>(entries));
   // Each tile's beginning moves to its end while entries come in; then all move back by one.
   for (std::uint32_t i = 0; i < bins.triangles.size(); ++i) {
     for_each_tile(bins.ranges[i], grid,

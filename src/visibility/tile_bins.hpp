@@ -32,15 +32,20 @@ struct TileRange {
   std::uint16_t left, top, right, bottom;
 };
 
+/// The most entries that triangles are sorted into: 16 MB. Beyond that (thousands of triangles, each over
+/// hundreds of tiles) every tile gets all of them and its raster leaves out those that do not meet it.
+inline constexpr std::uint64_t most_tile_entries = std::uint64_t{1} << 22;
+
 /// Screen triangles sorted by the tiles they meet; the memory is kept from use to use.
 struct TileBins {
   std::vector<RasterTriangle> triangles;
   std::vector<TileRange> ranges;           ///< of the triangles
-  std::vector<std::uint32_t> first_entry;  ///< of each tile; one more at the end
+  std::vector<std::uint32_t> first_entry;  ///< of each tile; one more at the end. Empty: all for every tile
   std::vector<std::uint32_t> entries;      ///< indices of triangles, tile after tile, in their order
 
   void clear();
   std::span<const std::uint32_t> of_tile(int tile) const {
+    if (first_entry.empty()) return entries;
     const auto i = static_cast<std::size_t>(tile);
     return std::span(entries).subspan(first_entry[i], first_entry[i + 1] - first_entry[i]);
   }

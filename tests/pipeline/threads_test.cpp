@@ -174,6 +174,32 @@ TEST_CASE("more primitives than one round of the tiles holds, in one mesh and in
   CHECK(actual.counters.reversed == expected.counters.reversed);
 }
 
+TEST_CASE("rounds that end with an instance, and instances too many for tiles") {
+  Mesh quad;
+  quad.positions = {glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0), glm::vec3(-1, 1, 0)};
+  quad.triangles = {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)};
+  Scene exact;  // 2¹⁹ triangles: a round to the last one
+  exact.add(shapes::grid(2.0f, 512));
+  exact.add(quad);
+  Scene many;
+  const std::uint32_t mesh = many.add_mesh(quad);
+  for (int i = 0; i < 20000; ++i) {
+    Instance instance;
+    instance.mesh = mesh;
+    instance.world_from_object = moved({0.01 * (i % 97), 0.01 * (i % 89), 0.001 * (i % 101)});
+    many.add_instance(instance);
+  }
+  for (const Scene* scene : {&exact, &many}) {
+    RenderSettings plain = settings_of();
+    plain.isa = Isa::reference;
+    const Camera camera = camera_of(*scene);
+    const Picture expected = render(*scene, camera, plain);
+    const Picture actual = render(*scene, camera, settings_of(3));
+    CHECK(same_rows(actual.triangle_id, expected.triangle_id));
+    CHECK(same_rows(actual.depth, expected.depth));
+  }
+}
+
 TEST_CASE("threads and instruction sets that cannot be had are errors that say so") {
   const Scene scene = meeting_solids();
   const Camera camera = camera_of(scene);

@@ -153,6 +153,38 @@ TEST_CASE("Tiles of the largest picture") {
   }
 }
 
+TEST_CASE("Too many entries are not sorted: every tile gets every triangle, and holds the same") {
+  Soup soup;
+  ScreenTriangle large;
+  large.vertices = {SnappedVertex{0, 0}, {32768 * subpixels, 0}, {0, 32768 * subpixels}};
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    large.primitive = i;
+    large.depth.r_ref = large.depth.lower = large.depth.upper = 0.01f * static_cast<float>(i);
+    soup.push_back(large);
+  }
+  const Rect whole{0, 0, 32768, 32768};
+  TileBins bins;
+  for (const ScreenTriangle& triangle : soup) append_triangle(triangle, whole, bins);
+  const TileGrid grid(whole);
+  sort_into_tiles(grid, bins);
+  CHECK(bins.first_entry.empty());
+  CHECK(bins.of_tile(0).size() == 20);
+  CHECK(bins.of_tile(grid.count() - 1).size() == 20);
+
+  // A tile on the slanting edge, drawn from all of them.
+  const int left = 16384, top = 16384 - 64;
+  VisibilityBuffer expected(tile_size, tile_size), actual(tile_size, tile_size);
+  const Rect part{left, top, tile_size, tile_size};
+  rasterize_zbuffer(soup, {expected, part});
+  const auto tile = std::make_unique<TileBuffer>();
+  TileCounts counts;
+  clear_tile(part, left, top, *tile);
+  const auto entries = bins.of_tile(0);
+  tile_raster(Isa::best)({bins.triangles.data(), entries.data(), entries.size()}, left, top, *tile, counts);
+  store_tile(*tile, part, left, top, actual);
+  CHECK(differences(actual, expected) == 0);
+}
+
 TEST_CASE("[long] Tiles hold what the reference z-buffer holds: many soups") {
   Random random{11};
   for (int round = 0; round < 200; ++round) {
