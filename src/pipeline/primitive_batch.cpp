@@ -118,6 +118,10 @@ void set_up_batch(const BatchInput& input, const PlacedVertices& vertices, Primi
       work.set_up_points();
       break;
   }
+  if (input.sample != pixel_centre) {
+    for (RasterTriangle& triangle : batch.bins.triangles) move_depth(triangle, input.sample);
+    move_all_to(input.sample, screen_triangles);
+  }
   for (const ScreenTriangle& triangle : screen_triangles) {
     if (!append_triangle(triangle, input.grid.target, batch.bins)) ++batch.counters.zero_area;
   }

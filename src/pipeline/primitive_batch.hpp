@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../visibility/sample_positions.hpp"
 #include "../visibility/tile_bins.hpp"
 #include "geometry_kernels.hpp"
 #include "stages.hpp"
@@ -35,6 +36,7 @@ struct BatchInput {
   const RenderSettings& settings;
   const TileGrid& grid;
   SetUpTriangles set_up;
+  SamplePosition sample = pixel_centre;
 };
 
 /// Fills the batch's bins and counters.

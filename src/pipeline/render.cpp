@@ -59,6 +59,7 @@ struct Frame {
   Renderer::Buffers& buffers;
   Counters& counters;
   FragmentLists* lists = nullptr;  ///< where given, all fragments go there and none to the visibility buffer
+  SamplePosition sample = pixel_centre;  ///< where in the pixels visibility is decided
   double progress_from = 0.0;
   double progress_to = 0.8;
   const Viewport viewport{settings.width, settings.height};
@@ -73,6 +74,7 @@ struct Frame {
       for (std::size_t i = first; i < last; ++i) {
         set_up_one(i, first_primitive + static_cast<std::uint32_t>(i), buffers.screen_triangles);
       }
+      move_all_to(sample, buffers.screen_triangles);
       const RasterTarget target{buffers.visibility, rect, lists, settings.depth_format};
       add(rasterize(buffers.screen_triangles, target, settings, buffers.scanline), counters);
       const double drawn = (first_primitive + static_cast<double>(last)) / scene.primitive_count();
@@ -125,7 +127,7 @@ struct Frame {
       const std::function<void(double)> progress = [this](double drawn) {
         report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
       };
-      draw_in_tiles({scene, viewing, settings, rect, buffers.executor, progress}, buffers.tiles,
+      draw_in_tiles({scene, viewing, settings, rect, buffers.executor, progress, sample}, buffers.tiles,
                     buffers.visibility, counters);
       return;
     }

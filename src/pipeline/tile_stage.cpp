@@ -94,11 +94,20 @@ class TileStage {
                   glm::value_ptr(clip_from_object), input_.settings.width, input_.settings.height,
                   &out.clip.positions[first].x, &out.clip.outcodes[first], &out.placed[first]});
     });
+    if (input_.sample != pixel_centre) move_vertices(out.placed);
+  }
+
+  /// To what is seen at the sample, see sample_positions.hpp.
+  void move_vertices(std::vector<PlacedVertex>& placed) const {
+    for (PlacedVertex& vertex : placed) {
+      if (vertex.x == not_snapped) continue;
+      vertex = {vertex.x - input_.sample.x, vertex.y - input_.sample.y};
+    }
   }
 
   void draw_round() {
     if (buffers_.used == 0) return;
-    const BatchInput batch_input{input_.scene, input_.settings, grid_, set_up_};
+    const BatchInput batch_input{input_.scene, input_.settings, grid_, set_up_, input_.sample};
     input_.executor.for_each(buffers_.used, [&](std::size_t i, int worker) {
       PrimitiveBatch& batch = buffers_.batches[i];
       set_up_batch(batch_input, buffers_.vertices[batch.vertices], batch,

@@ -28,6 +28,7 @@ struct TileStageInput {
   Executor& executor;
   /// Told the share of the scene that is drawn, 0…1, after each round, on the calling thread.
   const std::function<void(double)>& progress;
+  SamplePosition sample = pixel_centre;  ///< where in the pixels visibility is decided
 };
 
 /// Whether the picture's tiles and the scene's instances are few enough for draw_in_tiles(): not for tens of
