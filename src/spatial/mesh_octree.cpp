@@ -1,0 +1,101 @@
+#include "mesh_octree.hpp"
+
+namespace velum {
+namespace {
+
+/// Boxes that are empty where a vertex is not finite: NaN is left out by include(), infinities stay and are
+/// not finite.
+std::vector<Aabb> boxes_of(const Mesh& mesh) {
+  std::vector<Aabb> boxes(mesh.triangles.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+    const glm::dvec3 zeros = (a - a) + (b - b) + (c - c);
+    if (!(zeros == glm::dvec3(0.0))) continue;
+    boxes[i].include(a);
+    boxes[i].include(b);
+    boxes[i].include(c);
+  }
+  return boxes;
+}
+
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+/// Appends clusters one after the other.
+class MeshOctree::Writer {
+ public:
+  Writer(const Mesh& mesh, MeshOctree& out)
+      : mesh_(mesh), out_(out), local_(mesh.positions.size()), owner_(mesh.positions.size(), none) {
+    out.cluster_of_triangle_.resize(mesh.triangles.size());
+  }
+
+  void write(std::span<const std::uint32_t> triangles) {
+    const auto cluster = static_cast<std::uint32_t>(out_.spans_.size());
+    Span span{static_cast<std::uint32_t>(out_.positions_.size()), 0,
+              static_cast<std::uint32_t>(out_.triangles_.size()),
+              static_cast<std::uint32_t>(triangles.size())};
+    for (const std::uint32_t i : triangles) {
+      out_.triangles_.push_back(i);
+      out_.cluster_of_triangle_[i] = cluster;
+      const glm::uvec3& t = mesh_.triangles[i];
+      for (const std::uint32_t vertex : {t.x, t.y, t.z})
+        out_.indices_.push_back(local(vertex, cluster, span));
+    }
+    out_.spans_.push_back(span);
+    const MeshCluster written = out_.cluster(cluster);
+    out_.cones_.push_back(normal_cone(written.positions, written.indices));
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  std::uint32_t local(std::uint32_t vertex, std::uint32_t cluster, Span& span) {
+    if (owner_[vertex] != cluster) {
+      owner_[vertex] = cluster;
+      local_[vertex] = span.position_count++;
+      out_.positions_.push_back(mesh_.positions[vertex]);
+    }
+    return local_[vertex];
+  }
+
+  const Mesh& mesh_;
+  MeshOctree& out_;
+  std::vector<std::uint32_t> local_;  // a vertex' number in the cluster that owns it now
+  std::vector<std::uint32_t> owner_;
+};
+
+MeshOctree::MeshOctree(const Mesh& mesh, const MeshOctreeOptions& options) {
+  OctreeOptions octree_options;
+  octree_options.placement = options.placement;
+  octree_options.leaf_size = options.leaf_size;
+  octree_ = Octree(boxes_of(mesh), octree_options);
+  indices_.reserve(3 * mesh.triangles.size());
+  triangles_.reserve(mesh.triangles.size());
+  Writer writer(mesh, *this);
+  const std::span<const std::uint32_t> items(octree_.items());
+  for (const OctreeNode& node : octree_.nodes()) {
+    writer.write(items.subspan(node.first, node.own_end - node.first));
+  }
+  writer.write(octree_.loose());
+  positions_.shrink_to_fit();
+}
+
+MeshCluster MeshOctree::cluster(std::size_t i) const {
+  const Span& span = spans_[i];
+  return {
+      std::span(positions_).subspan(span.first_position, span.position_count),
+      std::span(indices_).subspan(3 * std::size_t{span.first_triangle}, 3 * std::size_t{span.triangle_count}),
+      std::span(triangles_).subspan(span.first_triangle, span.triangle_count)};
+}
+
+std::size_t MeshOctree::bytes() const {
+  return octree_.bytes() + bytes_of(spans_) + bytes_of(cones_) + bytes_of(positions_) + bytes_of(indices_) +
+         bytes_of(triangles_) + bytes_of(cluster_of_triangle_);
+}
+
+}  // namespace velum

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "../scene/mesh.hpp"
+#include "normal_cone.hpp"
+#include "octree.hpp"
+
+namespace velum {
+
+/// The triangles that one octree node holds itself, ready to be drawn on their own: a short list of vertices,
+/// and indices into that. Drawing few nodes so transforms few vertices.
+struct MeshCluster {
+  std::span<const glm::vec3> positions;      ///< object space; each of the mesh's vertices once
+  std::span<const std::uint32_t> indices;    ///< three per triangle, into `positions`
+  std::span<const std::uint32_t> triangles;  ///< which of the mesh's triangles they are
+};
+
+struct MeshOctreeOptions {
+  OctreePlacement placement = OctreePlacement::pushed_down;
+  std::uint32_t leaf_size = 192;  ///< triangles
+};
+
+/// An octree over the triangles of a mesh. Its segments and points are not in it.
+class MeshOctree {
+ public:
+  MeshOctree() = default;
+  explicit MeshOctree(const Mesh& mesh, const MeshOctreeOptions& options = {});
+
+  const std::vector<OctreeNode>& nodes() const { return octree_.nodes(); }
+  int depth() const { return octree_.depth(); }
+
+  /// One cluster per node, with the same number, empty for those without triangles of their own; and one more
+  /// with the triangles that have a vertex which is not finite: they have no place in space.
+  std::size_t cluster_count() const { return spans_.size(); }
+  MeshCluster cluster(std::size_t i) const;
+  bool is_empty(std::size_t cluster) const { return spans_[cluster].triangle_count == 0; }
+  const NormalCone& cone(std::size_t cluster) const { return cones_[cluster]; }
+  /// Triangles in a node's whole subtree.
+  std::uint32_t triangles_below(std::size_t node) const { return nodes()[node].end - nodes()[node].first; }
+  /// The cluster of each of the mesh's triangles.
+  const std::vector<std::uint32_t>& cluster_of_triangle() const { return cluster_of_triangle_; }
+
+  /// Memory that it holds, bytes.
+  std::size_t bytes() const;
+
+ private:
+  struct Span {
+    std::uint32_t first_position, position_count, first_triangle, triangle_count;
+  };
+  class Writer;
+
+  Octree octree_;
+  std::vector<Span> spans_;
+  std::vector<NormalCone> cones_;
+  std::vector<glm::vec3> positions_;
+  std::vector<std::uint32_t> indices_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<std::uint32_t> cluster_of_triangle_;
+};
+
+}  // namespace velum
