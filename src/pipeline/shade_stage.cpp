@@ -1,6 +1,7 @@
 #include "shade_stage.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #include "../shading/wireframe.hpp"
@@ -11,16 +12,33 @@ namespace velum {
 
 namespace {
 
+/// Rows that a worker takes at a time where nothing but the ids matters: memory is then read in order.
+constexpr int band_height = 16;
+/// Pixels from which on a picture's outputs are larger than a core's own caches.
+constexpr int large_picture = 1 << 19;
+
 template <typename T>
 void fill(const ImageView<T>& view, const ShadeRun& run, const T& value) {
   if (view.data != nullptr) std::fill(view.row(run.row) + run.begin, view.row(run.row) + run.end, value);
+}
+
+/// Whether depths and ids are not all that the wanted outputs take.
+bool needs_surfaces(const ShadeContext& context, const PictureTarget& target) {
+  const bool has_id_colours =
+      context.has_plain_triangles() && context.input.settings.shading == Shading::triangle_id;
+  return (target.colour.data != nullptr && !has_id_colours) || target.metric_depth.data != nullptr ||
+         target.normal.data != nullptr || target.object_id.data != nullptr;
 }
 
 }  // namespace
 
 ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers,
                        std::vector<PixelShader>& shaders)
-    : context_(input), target_(target), layers_(layers), shaders_(shaders) {
+    : context_(input),
+      target_(target),
+      needs_surfaces_(needs_surfaces(context_, target)),
+      layers_(layers),
+      shaders_(shaders) {
   shaders_.resize(static_cast<std::size_t>(input.executor.threads()));
   for (PixelShader& shader : shaders_) shader.begin(context_);
   const bool needs_layers = target.colour.data != nullptr && may_be_translucent(input.scene, input.settings);
@@ -28,18 +46,20 @@ ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, Lay
 }
 
 void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& counters) {
-  const TileGrid grid({0, 0, buffer.width(), buffer.height()});
-  const auto tiles = static_cast<std::size_t>(grid.count());
   std::vector<Found> found(shaders_.size());
-  const auto shade_one = [&](std::size_t i, std::size_t worker) {
-    const Rect tile{grid.left(static_cast<int>(i)), grid.top(static_cast<int>(i)), tile_size, tile_size};
-    shade_tile(buffer, intersect(tile, grid.target), shaders_[worker], found[worker]);
-  };
-  if (input_.settings.shader) {
-    for (std::size_t i = 0; i < tiles; ++i) shade_one(i, 0);
+  if (needs_surfaces_) {
+    const TileGrid grid({0, 0, buffer.width(), buffer.height()});
+    for_each(static_cast<std::size_t>(grid.count()), [&](std::size_t i, std::size_t worker) {
+      const Rect tile{grid.left(static_cast<int>(i)), grid.top(static_cast<int>(i)), tile_size, tile_size};
+      shade_tile(buffer, intersect(tile, grid.target), shaders_[worker], found[worker]);
+    });
   } else {
-    input_.executor.for_each(
-        tiles, [&](std::size_t i, int worker) { shade_one(i, static_cast<std::size_t>(worker)); });
+    const int bands = (buffer.height() + band_height - 1) / band_height;
+    for_each(static_cast<std::size_t>(bands), [&](std::size_t i, std::size_t worker) {
+      const int top = static_cast<int>(i) * band_height;
+      const Rect band{0, top, buffer.width(), std::min(band_height, buffer.height() - top)};
+      found[worker].shaded += shade_stored(buffer, band);
+    });
   }
   translucent_box_ = {};
   for (const Found& part : found) {
@@ -49,8 +69,45 @@ void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& cou
   counters.layers = 1;
 }
 
+template <typename Function>
+void ShadeStage::for_each(std::size_t count, const Function& function) {
+  if (input_.settings.shader) {
+    for (std::size_t i = 0; i < count; ++i) function(i, 0);
+  } else {
+    input_.executor.for_each(
+        count, [&](std::size_t i, int worker) { function(i, static_cast<std::size_t>(worker)); });
+  }
+}
+
+/// Writes what follows from the stored depths and ids alone. @return the number of visible pixels
+std::uint64_t ShadeStage::shade_stored(const VisibilityBuffer& buffer, const Rect& part) const {
+  PlainRows rows{};
+  rows.width = part.width;
+  rows.height = part.height;
+  rows.ids = buffer.primitive.row(part.top) + part.left;
+  rows.ids_stride = buffer.primitive.stride();
+  rows.reversed_depth = buffer.reversed_depth.row(part.top) + part.left;
+  rows.reversed_depth_stride = buffer.reversed_depth.stride();
+  if (target_.depth.data != nullptr) {
+    rows.depth = target_.depth.row(part.top) + part.left;
+    rows.depth_stride = target_.depth.stride;
+  }
+  if (target_.colour.data != nullptr && !needs_surfaces_) {
+    rows.colour = reinterpret_cast<std::uint8_t*>(target_.colour.row(part.top) + part.left);
+    rows.colour_stride = target_.colour.stride;
+    std::memcpy(rows.background, &input_.settings.background, sizeof rows.background);
+  }
+  if (target_.triangle_id.data != nullptr) {
+    for (int y = part.top; y < part.bottom(); ++y)
+      std::copy_n(buffer.primitive.row(y) + part.left, part.width, target_.triangle_id.row(y) + part.left);
+  }
+  rows.is_large = buffer.width() * buffer.height() >= large_picture;
+  return shade_plain_(rows);
+}
+
 void ShadeStage::shade_tile(const VisibilityBuffer& buffer, const Rect& tile, PixelShader& shader,
                             Found& found) {
+  found.shaded += shade_stored(buffer, tile);
   for (int y = tile.top; y < tile.bottom(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
     const float* const depths = buffer.reversed_depth.row(y);
@@ -61,7 +118,6 @@ void ShadeStage::shade_tile(const VisibilityBuffer& buffer, const Rect& tile, Pi
         write_background(run);
       } else {
         shade_run(run, depths, shader, found);
-        found.shaded += static_cast<std::uint64_t>(end - begin);
       }
     }
   }
@@ -102,12 +158,6 @@ void ShadeStage::finish() {
 
 void ShadeStage::shade_run(const ShadeRun& run, const float* reversed_depths, PixelShader& shader,
                            Found& found) {
-  if (target_.depth.data) {
-    float* const depths = target_.depth.row(run.row);
-    for (int x = run.begin; x < run.end; ++x) depths[x] = 1.0f - reversed_depths[x];
-  }
-  fill(target_.triangle_id, run, run.primitive);
-  if (!needs_surfaces_) return;
   shader.select(run.primitive);
   fill(target_.object_id, run, shader.selected().object);
   if (shader.selected().plain_colour) {
@@ -135,11 +185,9 @@ void ShadeStage::shade_point(int x, int y, float reversed_depth, PixelShader& sh
 
 void ShadeStage::write_background(const ShadeRun& run) {
   fill(target_.colour, run, input_.settings.background);
-  fill(target_.depth, run, 1.0f);
   fill(target_.metric_depth, run, std::numeric_limits<float>::infinity());
   fill(target_.normal, run, glm::vec3(0.0f));
   fill(target_.object_id, run, no_primitive);
-  fill(target_.triangle_id, run, no_primitive);
   if (input_.wireframe == nullptr || target_.colour.data == nullptr) return;
   const Rgba8 ink = srgb_from_linear(wireframe_ink(linear_from_srgb(input_.settings.background)));
   for (int x = run.begin; x < run.end; ++x) {

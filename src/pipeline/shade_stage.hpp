@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shading/plain_rows.hpp"
 #include "../visibility/fragment_lists.hpp"
 #include "pixel_shader.hpp"
 #include "stages.hpp"
@@ -60,6 +61,9 @@ class ShadeStage {
     Rect translucent_box;
   };
 
+  template <typename Function>
+  void for_each(std::size_t count, const Function& function);
+  std::uint64_t shade_stored(const VisibilityBuffer& buffer, const Rect& part) const;
   void shade_tile(const VisibilityBuffer& buffer, const Rect& tile, PixelShader& shader, Found& found);
   void shade_run(const ShadeRun& run, const float* reversed_depths, PixelShader& shader, Found& found);
   void shade_point(int x, int y, float reversed_depth, PixelShader& shader, Found& found);
@@ -72,9 +76,8 @@ class ShadeStage {
   const ShadeContext context_;
   const ShadeInput& input_ = context_.input;
   const PictureTarget target_;
-  /// Depth and primitive ids stand in the visibility buffer; everything else is a matter of the surface.
-  const bool needs_surfaces_ = target_.colour.data != nullptr || target_.metric_depth.data != nullptr ||
-                               target_.normal.data != nullptr || target_.object_id.data != nullptr;
+  const bool needs_surfaces_;
+  const ShadePlainRows shade_plain_ = plain_rows_kernel(input_.settings.isa);
   LayerBuffers& layers_;
   std::vector<PixelShader>& shaders_;  // one per worker
   Rect translucent_box_;

@@ -1,0 +1,40 @@
+#pragma once
+
+/// Rows of a picture whose colour depends on the primitive's id alone: what Shading::triangle_id shows, or no
+/// colour at all.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "../base/isa.hpp"
+
+namespace velum {
+
+/// A rectangle of pixels. Each plane has its own pointer to the first row's first pixel and its own stride,
+/// in elements, so that pictures, parts of them and tiles will do.
+struct PlainRows {
+  int width;
+  int height;
+  const std::uint32_t* ids;  ///< background: no_primitive
+  std::ptrdiff_t ids_stride;
+  const float* reversed_depth;  ///< background: 0
+  std::ptrdiff_t reversed_depth_stride;
+  std::uint8_t* colour;  ///< out: red, green, blue, alpha per pixel, sRGB; nullptr: not wanted
+  std::ptrdiff_t colour_stride;
+  float* depth;  ///< out: canonical, 1 - reversed depth; nullptr: not wanted
+  std::ptrdiff_t depth_stride;
+  std::uint8_t background[4];
+  bool is_large;  ///< the picture is larger than the caches: better written past them
+};
+
+/// Writes what is wanted: each visible pixel has the colour id_colour() of its primitive.
+/// @return the number of visible pixels
+using ShadePlainRows = std::uint64_t (*)(const PlainRows& rows);
+
+/// The textbook loop; the vector versions give the same bytes.
+std::uint64_t shade_plain_rows_reference(const PlainRows& rows);
+
+/// The version for an instruction set. @pre is_available(isa)
+ShadePlainRows plain_rows_kernel(Isa isa);
+
+}  // namespace velum
