@@ -5,8 +5,10 @@
 #include <GL/glext.h>
 #include <GL/osmesa.h>
 
+#include <cstdlib>
 #include <glm/gtc/type_ptr.hpp>
 #include <stdexcept>
+#include <string>
 
 namespace velum_bench {
 namespace {
@@ -42,6 +44,7 @@ struct Buffers {
 struct Llvmpipe::State {
   OSMesaContext context = nullptr;
   int width = 0, height = 0;
+  bool has_colour = true;
   std::vector<std::uint8_t> pixels;
   std::vector<Buffers> meshes;
   std::vector<Draw> draws;
@@ -64,8 +67,18 @@ struct Llvmpipe::State {
   }
 };
 
-Llvmpipe::Llvmpipe(const BenchScene& bench) : state_(std::make_unique<State>()) {
+bool has_llvmpipe() {
+  return true;
+}
+
+void set_llvmpipe_threads(int threads) {
+  // Mesa counts the workers beside the calling thread.
+  setenv("LP_NUM_THREADS", std::to_string(threads - 1).c_str(), 1);
+}
+
+Llvmpipe::Llvmpipe(const BenchScene& bench, bool has_colour) : state_(std::make_unique<State>()) {
   State& s = *state_;
+  s.has_colour = has_colour;
   s.width = bench.width;
   s.height = bench.height;
   s.pixels.resize(4u * static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height));
@@ -77,14 +90,15 @@ Llvmpipe::Llvmpipe(const BenchScene& bench) : state_(std::make_unique<State>()) 
   OSMesaPixelStore(OSMESA_Y_UP, 0);
   s.bind_buffer = opengl<PFNGLBINDBUFFERPROC>("glBindBuffer");
   for (const velum::Mesh& mesh : bench.scene.meshes()) s.upload(mesh);
-  const velum::ViewingTransform viewing =
-      bench.camera.viewing_transform(static_cast<double>(bench.width) / bench.height);
+  const velum::ViewingTransform viewing = bench.camera.viewing_transform(bench.aspect());
   for (const velum::Instance& instance : bench.scene.instances()) {
     s.draws.push_back({instance.mesh, for_opengl(viewing.clip_from_object(instance.world_from_object))});
   }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glEnableClientState(GL_VERTEX_ARRAY);
+  const GLboolean mask = has_colour ? GL_TRUE : GL_FALSE;
+  glColorMask(mask, mask, mask, mask);
   glMatrixMode(GL_PROJECTION);
   glViewport(0, 0, s.width, s.height);
 }
@@ -114,8 +128,18 @@ void Llvmpipe::draw() {
 }
 
 std::vector<std::uint8_t> Llvmpipe::coverage() const {
-  std::vector<std::uint8_t> covered(state_->pixels.size() / 4);
-  for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = state_->pixels[4 * i + 3] != 0;
+  const State& s = *state_;
+  std::vector<std::uint8_t> covered(s.pixels.size() / 4);
+  if (s.has_colour) {
+    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = s.pixels[4 * i + 3] != 0;
+    return covered;
+  }
+  const auto width = static_cast<std::size_t>(s.width);
+  std::vector<float> row(width);
+  for (int y = 0; y < s.height; ++y) {
+    glReadPixels(0, s.height - 1 - y, s.width, 1, GL_DEPTH_COMPONENT, GL_FLOAT, row.data());
+    for (std::size_t x = 0; x < width; ++x) covered[static_cast<std::size_t>(y) * width + x] = row[x] < 1.0f;
+  }
   return covered;
 }
 

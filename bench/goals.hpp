@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace velum_bench {
+
+/// What velum set out to reach on a scene: llvmpipe's time / velum's, one core each.
+struct RatioGoal {
+  std::string_view scene;
+  double wanted;
+  double hoped;
+};
+inline constexpr std::array<RatioGoal, 7> ratio_goals{{{"bunny", 10, 15},
+                                                       {"castle", 9, 12},
+                                                       {"sponza", 9, 14},
+                                                       {"bunny16", 25, 35},
+                                                       {"fill32_f2b", 20, 30},
+                                                       {"fill32_b2f", 18, 25},
+                                                       {"bunnies1000", 150, 250}}};
+
+inline std::optional<RatioGoal> ratio_goal(std::string_view scene) {
+  for (const RatioGoal& goal : ratio_goals) {
+    if (goal.scene == scene) return goal;
+  }
+  return {};
+}
+
+/// MaskedOcclusionCulling (Intel, snapshot 6cbbd76; depth only, approximate, one thread) on the same scenes
+/// and cameras on another machine, with llvmpipe's colour and depth beside it there: since it is in no
+/// package, its time here is taken to be as many times shorter than llvmpipe's as it was there.
+struct OcclusionGoal {
+  std::string_view scene;
+  double their_milliseconds;
+  double llvmpipe_milliseconds;
+  double wanted;  ///< velum's depth-only time / theirs, at most
+};
+inline constexpr std::array<OcclusionGoal, 4> occlusion_goals{{{"bunny", 3.1, 45.0, 1.5},
+                                                               {"castle", 2.2, 46.0, 1.5},
+                                                               {"sponza", 10.3, 164.0, 1.5},
+                                                               {"bunny16", 38.0, 396.0, 0.4}}};
+
+inline constexpr double wanted_speedup = 1.7;  ///< of two threads
+inline constexpr std::array<std::string_view, 2> speedup_scenes{"sponza", "bunny16"};
+
+inline constexpr double most_memory = 150e6;  ///< bytes beyond the scene
+inline constexpr std::string_view memory_scene = "bunny16";
+
+}  // namespace velum_bench

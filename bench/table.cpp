@@ -1,0 +1,84 @@
+#include "table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace velum_bench {
+namespace {
+
+/// How many characters of UTF-8 text are seen.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xC0') != '\x80'; }));
+}
+
+std::vector<std::size_t> widths(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> result(rows.front().size());
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) result[i] = std::max(result[i], width_of(row[i]));
+  }
+  return result;
+}
+
+std::string padded(const std::string& text, std::size_t width, bool is_left) {
+  const std::string space(width - width_of(text), ' ');
+  return is_left ? text + space : space + text;
+}
+
+std::string joined(const std::vector<std::string>& cells, const std::vector<std::size_t>& width,
+                   const std::string& between) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    line += (i == 0 ? "" : between) + padded(cells[i], width[i], i == 0);
+  return line;
+}
+
+}  // namespace
+
+std::string Table::text() const {
+  const auto width = widths(rows_);
+  std::string all;
+  for (const auto& row : rows_) all += joined(row, width, "  ") + "\n";
+  return all;
+}
+
+std::string Table::markdown() const {
+  const auto width = widths(rows_);
+  std::string all;
+  for (const auto& row : rows_) {
+    all += "| " + joined(row, width, " | ") + " |\n";
+    if (&row != &rows_.front()) continue;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      all += "|" + std::string(width[i] + 1, '-') + (i == 0 ? "-" : ":");
+    all += "|\n";
+  }
+  return all;
+}
+
+std::string fixed(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string short_figure(double value) {
+  const double size = std::abs(value);
+  return fixed(value, size < 0.9995 ? 3 : size < 9.995 ? 2 : size < 99.95 ? 1 : 0);
+}
+
+std::string tick_label(double value) {
+  char text[64];
+  const double scale = value >= 1e6 ? 1e6 : value >= 1e3 ? 1e3 : 1.0;
+  std::snprintf(text, sizeof text, "%.6g%s", value / scale, value >= 1e6 ? " M" : value >= 1e3 ? " k" : "");
+  return text;
+}
+
+std::string with_prefix(double value, const std::string& unit) {
+  if (value >= 1e9) return short_figure(value / 1e9) + " G" + unit;
+  if (value >= 1e6) return short_figure(value / 1e6) + " M" + unit;
+  if (value >= 1e3) return short_figure(value / 1e3) + " k" + unit;
+  return short_figure(value) + " " + unit;
+}
+
+}  // namespace velum_bench

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace velum_bench {
+
+/// Text in rows and columns, for people.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> headings) : rows_{std::move(headings)} {}
+  /// @pre as many cells as headings
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  /// Columns of equal width; the first aligned left, the others right.
+  std::string text() const;
+  std::string markdown() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;  ///< the first: the headings
+};
+
+/// printf's %.Nf
+std::string fixed(double value, int digits);
+/// About three digits: "0.123", "1.23", "12.3", "123", "1235".
+std::string short_figure(double value);
+/// As short as the figure allows: "0.5", "20", "10 M".
+std::string tick_label(double value);
+/// About three digits with the unit and its prefix, e.g. "24.1 GB/s" of 24.1e9.
+std::string with_prefix(double value, const std::string& unit);
+
+}  // namespace velum_bench
