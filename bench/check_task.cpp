@@ -23,16 +23,14 @@ bool has_occlusion_goal(std::string_view scene) {
 void measure_scene(const BenchScene& bench, const Options& options, CheckFigures& figures) {
   figures.frames.push_back(measure(bench, mode_named(default_mode(bench.name)), options.measure));
   if (has_occlusion_goal(bench.name)) {
-    MeasureOptions alone = options.measure;
-    alone.has_peer = alone.has_memory = false;
-    figures.depth_only.push_back(measure(bench, mode_named("depth"), alone));
+    figures.depth_only.push_back(measure(bench, mode_named("depth"), options.measure));
   }
   if (is_among(speedup_scenes, bench.name))
     figures.threads.push_back(measure_threads(bench, mode_named("zbuffer"), options.measure));
 }
 
 void print_limits(const MachineLimits& limits, const Options& options) {
-  Table table({"the machine itself", "one thread", "two threads"});
+  Table table({"the machine itself", "one thread", "two threads"}, "lrr");
   const auto add = [&](const char* what, const MachineLimits::Pair& pair, const char* unit) {
     table.add({what, with_prefix(pair.one, unit), with_prefix(pair.two, unit)});
   };

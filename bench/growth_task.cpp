@@ -126,7 +126,7 @@ LogPlot growth_with_pixels(const Options& options) {
 }
 
 void report(const LogPlot& plot, const std::string& name, const Options& options) {
-  Table table({plot.title, "exponent", "larger half", "smallest, ms", "largest, ms"});
+  Table table({plot.title, "exponent", "larger half", "smallest, ms", "largest, ms"}, "lrrrr");
   std::ostringstream csv;
   csv << "series," << plot.x_name << ",ms\n";
   for (const Series& series : plot.series) {

@@ -35,7 +35,8 @@ void add_optional(std::ostream& line, const std::optional<T>& value) {
 
 Table table_of(const std::vector<Row>& rows) {
   Table table({"scene", "mode", "triangles", "velum ms", "llvmpipe ms", "ratio", "Mtri/s", "Mpixel/s", "MB",
-               "same coverage"});
+               "same coverage"},
+              "llrrrrrrrr");
   for (const Row& row : rows) {
     table.add({row.scene, row.mode, std::to_string(row.triangles), with_spread(row.velum),
                row.llvmpipe ? with_spread(*row.llvmpipe) : "–",

@@ -27,10 +27,10 @@ std::string padded(const std::string& text, std::size_t width, bool is_left) {
 }
 
 std::string joined(const std::vector<std::string>& cells, const std::vector<std::size_t>& width,
-                   const std::string& between) {
+                   const std::string& sides, const std::string& between) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    line += (i == 0 ? "" : between) + padded(cells[i], width[i], i == 0);
+    line += (i == 0 ? "" : between) + padded(cells[i], width[i], sides[i] == 'l');
   return line;
 }
 
@@ -39,7 +39,11 @@ std::string joined(const std::vector<std::string>& cells, const std::vector<std:
 std::string Table::text() const {
   const auto width = widths(rows_);
   std::string all;
-  for (const auto& row : rows_) all += joined(row, width, "  ") + "\n";
+  for (const auto& row : rows_) {
+    all += joined(row, width, sides_, "  ");
+    all.erase(all.find_last_not_of(' ') + 1);
+    all += "\n";
+  }
   return all;
 }
 
@@ -47,10 +51,10 @@ std::string Table::markdown() const {
   const auto width = widths(rows_);
   std::string all;
   for (const auto& row : rows_) {
-    all += "| " + joined(row, width, " | ") + " |\n";
+    all += "| " + joined(row, width, sides_, " | ") + " |\n";
     if (&row != &rows_.front()) continue;
     for (std::size_t i = 0; i < row.size(); ++i)
-      all += "|" + std::string(width[i] + 1, '-') + (i == 0 ? "-" : ":");
+      all += "|" + std::string(width[i] + 1, '-') + (sides_[i] == 'l' ? "-" : ":");
     all += "|\n";
   }
   return all;

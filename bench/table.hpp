@@ -9,15 +9,18 @@ namespace velum_bench {
 /// Text in rows and columns, for people.
 class Table {
  public:
-  explicit Table(std::vector<std::string> headings) : rows_{std::move(headings)} {}
+  /// @param sides  one letter per column: l where it is aligned left, r right
+  Table(std::vector<std::string> headings, std::string sides)
+      : sides_(std::move(sides)), rows_{std::move(headings)} {}
   /// @pre as many cells as headings
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
 
-  /// Columns of equal width; the first aligned left, the others right.
+  /// Columns of equal width.
   std::string text() const;
   std::string markdown() const;
 
  private:
+  std::string sides_;
   std::vector<std::vector<std::string>> rows_;  ///< the first: the headings
 };
 
