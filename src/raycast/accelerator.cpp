@@ -1,0 +1,92 @@
+#include "accelerator.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace velum {
+namespace {
+
+bool is_finite(const Triangle& t) {
+  const glm::dvec3 zero = (t.a - t.a) + (t.b - t.b) + (t.c - t.c);
+  return zero == glm::dvec3(0.0);
+}
+
+}  // namespace
+
+Accelerator::Accelerator(const TriangleSet& triangles) : triangles_(triangles) {
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    const Triangle triangle = triangles_[i];
+    if (!is_finite(triangle)) continue;
+    for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c}) bounds_.include(corner);
+  }
+}
+
+std::vector<BoxedItem> Accelerator::boxed_triangles() const {
+  std::vector<BoxedItem> items;
+  items.reserve(triangles_.size());
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    if (!is_finite(triangles_[i])) continue;
+    BoxedItem item;
+    item.id = i;
+    for (int corner = 0; corner < 3; ++corner) {
+      item.box.include(triangles_.positions[triangles_.triangles[i][corner]]);
+    }
+    items.push_back(item);
+  }
+  return items;
+}
+
+void Accelerator::run(Search& search) const {
+  ++search.counters.rays;
+  if (!search.ray.usable) return;
+  ++search.counters.boxes;
+  const Interval inside = intersect(search.ray.through(bounds_.lower, bounds_.upper), search.ray.range);
+  if (!inside.is_empty()) traverse(search);
+}
+
+RayHit Accelerator::first_hit(const Ray& ray, const Interval& range, CastCounters& counters,
+                              const HitFilter& filter) const {
+  const PreparedRay prepared(ray, range, bounds_);
+  Search search(triangles_, prepared, Search::Aim::first, filter, counters);
+  run(search);
+  counters.hits += search.hit().is_hit();
+  return search.hit();
+}
+
+bool Accelerator::is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,
+                             const HitFilter& filter) const {
+  const PreparedRay prepared(ray, range, bounds_);
+  Search search(triangles_, prepared, Search::Aim::any, filter, counters);
+  run(search);
+  counters.hits += search.hit().is_hit();
+  return search.hit().is_hit();
+}
+
+void Accelerator::all_hits(const Ray& ray, const Interval& range, CastCounters& counters,
+                           std::vector<RayHit>& out, const HitFilter& filter) const {
+  out.clear();
+  const PreparedRay prepared(ray, range, bounds_);
+  Search search(triangles_, prepared, Search::Aim::all, filter, counters, &out);
+  run(search);
+  std::sort(out.begin(), out.end(),
+            [](const RayHit& a, const RayHit& b) { return is_before(a.t, a.triangle, b.t, b.triangle); });
+  // A structure may have handed a triangle over more than once; its hits are equal then.
+  const auto same = [](const RayHit& a, const RayHit& b) { return a.triangle == b.triangle; };
+  out.erase(std::unique(out.begin(), out.end(), same), out.end());
+  counters.hits += out.size();
+}
+
+std::span<const AcceleratorName> accelerator_names() {
+  static constexpr std::array names{
+      AcceleratorName{"bvh", AcceleratorKind::bvh},
+      AcceleratorName{"kdtree", AcceleratorKind::kd_tree},
+      AcceleratorName{"grid", AcceleratorKind::grid},
+      AcceleratorName{"nested-grid", AcceleratorKind::nested_grid},
+      AcceleratorName{"octree", AcceleratorKind::octree},
+      AcceleratorName{"bsp", AcceleratorKind::bsp},
+      AcceleratorName{"brute-force", AcceleratorKind::brute_force},
+  };
+  return names;
+}
+
+}  // namespace velum

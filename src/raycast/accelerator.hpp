@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "search.hpp"
+
+namespace velum {
+
+/// The structures that find what a ray hits without looking at every triangle. All give the same answers.
+enum class AcceleratorKind { brute_force, bvh, kd_tree, grid, nested_grid, octree, bsp };
+
+/// Name and kind, as on the command line.
+struct AcceleratorName {
+  const char* name;
+  AcceleratorKind kind;
+};
+std::span<const AcceleratorName> accelerator_names();
+
+/// Triangles of a mesh, arranged so that rays find them. Built once; then any number of threads may ask.
+///
+/// Triangles with a vertex that is not finite are hit by nothing. Of hits at the same t the lower triangle is
+/// first. Each triangle is hit by intersect_watertight(), which is told the bounds of the mesh.
+class Accelerator {
+ public:
+  virtual ~Accelerator() = default;
+
+  /// @param range  the t that are wanted; both ends included
+  RayHit first_hit(const Ray& ray, const Interval& range, CastCounters& counters,
+                   const HitFilter& filter = {}) const;
+  /// Whether there is any hit in the range. For p and q: Ray{p, q - p}, 0 … 1.
+  bool is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,
+                  const HitFilter& filter = {}) const;
+  /// All hits in order of (t, triangle). @param out  overwritten
+  void all_hits(const Ray& ray, const Interval& range, CastCounters& counters, std::vector<RayHit>& out,
+                const HitFilter& filter = {}) const;
+
+  const TriangleSet& triangles() const { return triangles_; }
+  /// Around all triangles that can be hit; empty for none.
+  const Aabb& bounds() const { return bounds_; }
+  /// Bytes of the structure, without the caller's vertices and indices.
+  virtual std::size_t memory() const = 0;
+
+ protected:
+  explicit Accelerator(const TriangleSet& triangles);
+  /// The boxes of the triangles that can be hit, by ascending id.
+  std::vector<BoxedItem> boxed_triangles() const;
+  /// Hands the search what its ray may hit. @pre the ray is usable and meets the bounds
+  virtual void traverse(Search& search) const = 0;
+
+ private:
+  void run(Search& search) const;
+
+  TriangleSet triangles_;
+  Aabb bounds_;
+};
+
+/// Builds a structure of a kind with its usual settings. @pre the indices are in range, see validate(Mesh);
+/// the memory behind `triangles` stays as it is
+std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const TriangleSet& triangles);
+
+}  // namespace velum

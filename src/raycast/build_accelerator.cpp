@@ -1,0 +1,31 @@
+#include "accelerator.hpp"
+#include "brute_force.hpp"
+#include "bsp_tree.hpp"
+#include "bvh.hpp"
+#include "grid.hpp"
+#include "kd_tree.hpp"
+#include "octree_caster.hpp"
+
+namespace velum {
+
+std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const TriangleSet& triangles) {
+  switch (kind) {
+    case AcceleratorKind::brute_force:
+      return std::make_unique<BruteForce>(triangles);
+    case AcceleratorKind::kd_tree:
+      return std::make_unique<KdTree>(triangles);
+    case AcceleratorKind::grid:
+      return std::make_unique<Grid>(triangles);
+    case AcceleratorKind::nested_grid:
+      return std::make_unique<Grid>(triangles, GridSettings{1.0, 3, 16});
+    case AcceleratorKind::octree:
+      return std::make_unique<OctreeCaster>(triangles);
+    case AcceleratorKind::bsp:
+      return std::make_unique<BspTree>(triangles);
+    case AcceleratorKind::bvh:
+      break;
+  }
+  return std::make_unique<Bvh>(triangles);
+}
+
+}  // namespace velum

@@ -1,0 +1,184 @@
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "random_scenes.hpp"
+#include "raycast/brute_force.hpp"
+#include "raycast/bsp_tree.hpp"
+#include "raycast/bvh.hpp"
+#include "raycast/grid.hpp"
+#include "raycast/kd_tree.hpp"
+#include "raycast/octree_caster.hpp"
+
+using namespace velum;
+
+namespace {
+
+struct Built {
+  std::string name;
+  std::unique_ptr<Accelerator> structure;
+};
+
+/// Every structure, and every rule by which one can be built.
+std::vector<Built> build_all(const TriangleSet& triangles) {
+  std::vector<Built> all;
+  for (const AcceleratorName& name : accelerator_names()) {
+    all.push_back({name.name, build_accelerator(name.kind, triangles)});
+  }
+  for (const BvhSplit split : {BvhSplit::median, BvhSplit::cyclic_median, BvhSplit::midpoint,
+                               BvhSplit::sah_sweep, BvhSplit::agglomerative}) {
+    BvhSettings settings;
+    settings.split = split;
+    all.push_back(
+        {"bvh, rule " + std::to_string(static_cast<int>(split)), std::make_unique<Bvh>(triangles, settings)});
+  }
+  all.push_back({"octree, kept",
+                 std::make_unique<OctreeCaster>(triangles, OctreeOptions{OctreePlacement::kept, 2, 20})});
+  all.push_back({"kd-tree, deep", std::make_unique<KdTree>(triangles, KdSettings{0.1, 4.0, 0.9, 30})});
+  all.push_back({"grid, coarse", std::make_unique<Grid>(triangles, GridSettings{0.5, 1, 16})});
+  all.push_back({"grid, deep", std::make_unique<Grid>(triangles, GridSettings{0.7, 5, 2})});
+  all.push_back({"bsp, small leaves", std::make_unique<BspTree>(triangles, BspSettings{1, 30, 40})});
+  return all;
+}
+
+bool same(const RayHit& a, const RayHit& b) {
+  return a.triangle == b.triangle && a.t == b.t && a.barycentric == b.barycentric;
+}
+
+struct Answers {
+  RayHit first;
+  bool blocked;
+  std::vector<RayHit> all;
+
+  Answers(const Accelerator& structure, const Ray& ray, const Interval& range, CastCounters& counters)
+      : first(structure.first_hit(ray, range, counters)),
+        blocked(structure.is_blocked(ray, range, counters)) {
+    structure.all_hits(ray, range, counters, all);
+  }
+  bool operator==(const Answers& other) const {
+    return same(first, other.first) && blocked == other.blocked &&
+           std::equal(all.begin(), all.end(), other.all.begin(), other.all.end(), same);
+  }
+};
+
+Interval random_range(Random& random) {
+  if (random.below(3) != 0) return {0.0, std::numeric_limits<double>::infinity()};
+  if (random.below(2) == 0) return {};
+  const double lower = random.uniform(-1.0, 1.0);
+  return {lower, lower + random.uniform(0.0, 2.0)};
+}
+
+/// @return rays that hit something
+int compare_scenes(std::uint64_t seed, int scenes, int rays) {
+  Random random{seed};
+  int hits = 0;
+  for (int scene = 0; scene < scenes; ++scene) {
+    const RandomTriangles triangles = random_triangles(random, scene);
+    const BruteForce oracle(triangles.set());
+    const std::vector<Built> all = build_all(triangles.set());
+    for (int i = 0; i < rays; ++i) {
+      const Ray ray = hard_ray(random, triangles);
+      const Interval range = random_range(random);
+      CastCounters counters;
+      const Answers expected(oracle, ray, range, counters);
+      CHECK(expected.blocked == expected.first.is_hit());
+      CHECK(expected.blocked == !expected.all.empty());
+      if (expected.blocked) CHECK(same(expected.all[0], expected.first));
+      hits += expected.blocked;
+      for (const Built& built : all) {
+        INFO("seed " << seed << ", scene " << scene << ", ray " << i << ": " << built.name);
+        CHECK(Answers(*built.structure, ray, range, counters) == expected);
+      }
+    }
+  }
+  return hits;
+}
+
+}  // namespace
+
+TEST_CASE("all structures find what brute force finds") {
+  CHECK(compare_scenes(21, 40, 20) > 150);
+}
+
+TEST_CASE("[long] all structures find what brute force finds in 500 scenes") {
+  CHECK(compare_scenes(22, 500, 200) > 20000);
+}
+
+TEST_CASE("a structure over no triangles is hit by nothing") {
+  CastCounters counters;
+  for (const Built& built : build_all({})) {
+    CAPTURE(built.name);
+    CHECK_FALSE(built.structure->first_hit({{0, 0, 5}, {0, 0, -1}}, {}, counters).is_hit());
+    CHECK(built.structure->bounds().is_empty());
+    CHECK(built.structure->memory() == 0);
+  }
+}
+
+TEST_CASE("of triangles in the same place the lowest id is hit") {
+  RandomTriangles triangles;
+  for (int i = 0; i < 20; ++i) triangles.add({-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1, 0.5f});
+  CastCounters counters;
+  for (const Built& built : build_all(triangles.set())) {
+    CAPTURE(built.name);
+    CHECK(built.structure->first_hit({{0, 0, 5}, {0, 0, -1}}, {}, counters).triangle == 0);
+  }
+}
+
+TEST_CASE("a filter leaves triangles out") {
+  RandomTriangles triangles;
+  for (int i = 0; i < 20; ++i) {
+    const float z = static_cast<float>(i) * 0.1f;
+    triangles.add({-1, -1, z}, {1, -1, z}, {0, 1, z});
+  }
+  const HitFilter filter{[](const void*, std::uint32_t id) { return id < 12; }, nullptr};
+  CastCounters counters;
+  for (const Built& built : build_all(triangles.set())) {
+    CAPTURE(built.name);
+    const Ray down{{0, 0, 5}, {0, 0, -1}};
+    CHECK(built.structure->first_hit(down, {}, counters).triangle == 19);
+    CHECK(built.structure->first_hit(down, {}, counters, filter).triangle == 11);
+    CHECK(built.structure->is_blocked(down, {0.0, 3.5}, counters));
+    CHECK_FALSE(built.structure->is_blocked(down, {0.0, 3.5}, counters, filter));
+  }
+}
+
+TEST_CASE("the early-out trap: a hit found in a cell but lying beyond it") {
+  // The long triangle reaches through many cells; the ray meets it far behind the small ones, whose cells
+  // come later than the first cell that holds the long one.
+  RandomTriangles triangles;
+  triangles.add({-10, -1, 0}, {10, -0.25f, 9}, {-10, 1, 0});
+  for (int i = 0; i < 60; ++i) {
+    const float x = static_cast<float>(i) * 0.1f - 6.0f, y = i % 2 == 0 ? 3.0f : -3.0f;
+    triangles.add({x, y, 0.5f}, {x + 0.1f, y, 0.5f}, {x, y + 0.1f, 0.6f});
+  }
+  triangles.add({2, -0.5f, 4}, {2, 0.5f, 4}, {2, 0, 7});
+  const Ray ray{{-9.5, 0.0, 5.0}, {1.0, -0.0125, 0.0}};
+  CastCounters counters;
+  const RayHit expected = BruteForce(triangles.set()).first_hit(ray, {}, counters);
+  REQUIRE(expected.is_hit());
+  for (const Built& built : build_all(triangles.set())) {
+    CAPTURE(built.name);
+    CHECK(same(built.structure->first_hit(ray, {}, counters), expected));
+  }
+}
+
+TEST_CASE("structures spare intersections") {
+  Random random{23};
+  RandomTriangles triangles;
+  for (int i = 0; i < 4000; ++i) {
+    const glm::vec3 a(random_point(random));
+    triangles.add(a, a + glm::vec3(random_point(random, 0.03)), a + glm::vec3(random_point(random, 0.03)));
+  }
+  for (const Built& built : build_all(triangles.set())) {
+    CAPTURE(built.name);
+    CastCounters counters;
+    Random rays{24};
+    for (int i = 0; i < 100; ++i) built.structure->first_hit(random_ray(rays), {}, counters);
+    CHECK(counters.rays == 100);
+    if (built.name != "brute-force") CHECK(counters.tests < 100 * 4000 / 4);
+    if (built.name == "bvh" || built.name == "kdtree") CHECK(counters.tests < 100 * 40);
+    CHECK(built.structure->memory() > 0);
+  }
+}

@@ -1,0 +1,160 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "random_scenes.hpp"
+#include "raycast/bsp_tree.hpp"
+#include "raycast/bvh.hpp"
+#include "raycast/grid.hpp"
+#include "raycast/kd_tree.hpp"
+
+using namespace velum;
+
+namespace {
+
+RandomTriangles small_triangles(int count, double size) {
+  Random random{31};
+  RandomTriangles triangles;
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 a(random_point(random));
+    triangles.add(a, a + glm::vec3(random_point(random, size)), a + glm::vec3(random_point(random, size)));
+  }
+  return triangles;
+}
+
+bool is_inside(const BvhNode& inner, const BvhNode& outer) {
+  return glm::min(inner.lower, outer.lower) == outer.lower &&
+         glm::max(inner.upper, outer.upper) == outer.upper;
+}
+
+const BvhSplit all_splits[] = {BvhSplit::median,    BvhSplit::cyclic_median, BvhSplit::midpoint,
+                               BvhSplit::sah_sweep, BvhSplit::sah_binned,    BvhSplit::agglomerative};
+
+}  // namespace
+
+TEST_CASE("a bvh holds every triangle once, in boxes inside boxes") {
+  const RandomTriangles triangles = small_triangles(500, 0.2);
+  for (const BvhSplit split : all_splits) {
+    CAPTURE(static_cast<int>(split));
+    BvhSettings settings;
+    settings.split = split;
+    const BvhTree tree = Bvh(triangles.set(), settings).tree();
+    const std::set<std::uint32_t> ids(tree.order.begin(), tree.order.end());
+    CHECK(tree.order.size() == 500);
+    CHECK(ids.size() == 500);
+    std::size_t in_leaves = 0;
+    for (const BvhNode& node : tree.nodes) {
+      in_leaves += node.count;
+      if (node.is_leaf()) continue;
+      CHECK(is_inside(tree.nodes[node.first], node));
+      CHECK(is_inside(tree.nodes[node.first + 1], node));
+    }
+    CHECK(in_leaves == 500);
+  }
+}
+
+TEST_CASE("the surface-area heuristic expects less cost than medians, and the sweep no more than bins") {
+  const RandomTriangles triangles = small_triangles(2000, 0.1);
+  const auto cost = [&](BvhSplit split) {
+    BvhSettings settings;
+    settings.split = split;
+    settings.leaf_size = 2;
+    return expected_cost(Bvh(triangles.set(), settings).tree(), settings);
+  };
+  CHECK(cost(BvhSplit::sah_sweep) < cost(BvhSplit::cyclic_median));
+  CHECK(cost(BvhSplit::cyclic_median) < cost(BvhSplit::median));
+  CHECK(cost(BvhSplit::sah_binned) < cost(BvhSplit::cyclic_median));
+  CHECK(cost(BvhSplit::sah_sweep) < cost(BvhSplit::sah_binned) * 1.02);
+}
+
+TEST_CASE("a node stays a leaf when dividing would cost more, T_SAH > T_P") {
+  RandomTriangles triangles;  // all in one place: each child would be met as often as the node
+  for (int i = 0; i < 50; ++i) triangles.add({0, 0, 0}, {1, 0, 0}, {0, 1, 1});
+  for (const BvhSplit split : {BvhSplit::sah_sweep, BvhSplit::sah_binned, BvhSplit::agglomerative}) {
+    BvhSettings settings;
+    settings.split = split;
+    CHECK(Bvh(triangles.set(), settings).tree().nodes.size() == 1);
+  }
+  // Two far apart: divided where a box is cheap, not where it is dear.
+  RandomTriangles two;
+  two.add({0, 0, 0}, {0.1f, 0, 0}, {0, 0.1f, 0.1f});
+  two.add({9, 9, 9}, {9.1f, 9, 9}, {9, 9.1f, 9.1f});
+  BvhSettings settings;
+  CHECK(Bvh(two.set(), settings).tree().nodes.size() == 3);
+  settings.box_cost = 3.0;
+  CHECK(Bvh(two.set(), settings).tree().nodes.size() == 1);
+}
+
+TEST_CASE("a bvh does not depend on the order of its items") {
+  const RandomTriangles triangles = small_triangles(300, 0.3);
+  std::vector<BoxedItem> items;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    BoxedItem item;
+    item.id = i;
+    for (int k = 0; k < 3; ++k) item.box.include(triangles.positions[triangles.triangles[i][k]]);
+    items.push_back(item);
+  }
+  for (const BvhSplit split : all_splits) {
+    BvhSettings settings;
+    settings.split = split;
+    const BvhTree tree = build_bvh(items, settings);
+    std::reverse(items.begin(), items.end());
+    CHECK(build_bvh(items, settings).order == tree.order);
+  }
+}
+
+TEST_CASE("a kd-tree refers to every triangle, cuts empty space off, and keeps 8 bytes a node") {
+  const RandomTriangles triangles = small_triangles(800, 0.1);
+  const KdTree tree(triangles.set());
+  CHECK(sizeof(KdNode) == 8);
+  std::size_t leaves = 0, empty = 0;
+  for (const KdNode& node : tree.nodes()) {
+    leaves += node.is_leaf();
+    empty += node.is_leaf() && node.count == 0;
+  }
+  CHECK(leaves == tree.nodes().size() / 2 + 1);
+  CHECK(empty > 10);
+  KdSettings no_bonus;
+  no_bonus.empty_bonus = 0.0;
+  no_bonus.triangle_cost = 0.001;
+  CHECK(KdTree(triangles.set(), no_bonus).nodes().size() == 1);  // nothing is worth a step
+}
+
+TEST_CASE("nested grids help where a ball lies in a stadium") {
+  RandomTriangles triangles = small_triangles(3000, 0.1);
+  for (glm::vec3& p : triangles.positions) p *= 0.01f;  // the ball
+  triangles.add({-50, -50, -1}, {50, -50, -1}, {0, 80, -1});
+  const auto tests = [&](const GridSettings& settings) {
+    const Grid grid(triangles.set(), settings);
+    CastCounters counters;
+    Random random{32};
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec3 origin = random_point(random, 0.05);
+      grid.first_hit({origin, random_point(random, 0.01) - origin}, {0.0, 1e9}, counters);
+    }
+    return counters.tests;
+  };
+  CHECK(tests({1.0, 3, 16}) * 10 < tests({3.0, 1, 16}));
+}
+
+TEST_CASE("a point of a bsp tree is found in one cell, the same all over the cell") {
+  RandomTriangles cube;  // the three planes through 0 give eight cells
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 a(-1.0f), b(1.0f), c(1.0f);
+    a[axis] = b[axis] = c[axis] = 0.0f;
+    b[(axis + 1) % 3] = -1.0f;
+    cube.add(a, b, c);
+  }
+  const BspTree tree(cube.set(), {0, 10, 10});
+  CHECK(tree.cell_count() == 8);
+  std::set<std::uint32_t> cells;
+  Random random{33};
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 corner((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : -1);
+    const std::uint32_t cell = tree.cell_of(corner);
+    cells.insert(cell);
+    for (int k = 0; k < 10; ++k) CHECK(tree.cell_of(corner * random.uniform(0.01, 1.0)) == cell);
+  }
+  CHECK(cells.size() == 8);
+}
