@@ -1,7 +1,8 @@
 #!/bin/sh
 # layers.sh TREE: fails, naming each line, when an include breaks the ranks of the modules.
 #  src/X includes files of its own folder and "../Y/…" of strictly lower rank; apps, examples and bench include
-#  <velum/…> and files of their own folder. The ranks are this table.
+#  <velum/…> and files of their own folder; of bench, only bench/kernels looks inside (docs/decisions/0010).
+#  The ranks are this table.
 set -eu
 tree=$1
 
@@ -43,6 +44,8 @@ awk -v tree="$tree/" '
     if (quote == "\"" && target ~ /(^|\/)\.\.(\/|$)/) complain(folder " uses <velum/…> and files of its own folder only")
     else if (target ~ /(^|\/)src\//) complain(folder " uses the public headers <velum/…> only")
     else if (quote == "\"" && target ~ /^velum\//) complain("write <" target ">, as a user would")
+    else if (folder == "bench" && path[2] != "kernels" && target ~ /^velum\/.*\//)
+      complain("frames are measured through <velum/velum.hpp>; only bench/kernels looks inside")
   }
 
   {

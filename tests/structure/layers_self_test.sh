@@ -4,7 +4,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree/src/base" "$tree/src/image" "$tree/src/projection" "$tree/src/scene" "$tree/apps/tool"
+mkdir -p "$tree/src/base" "$tree/src/image" "$tree/src/projection" "$tree/src/scene" "$tree/apps/tool" "$tree/bench/kernels"
 
 plant() { printf '%s\n' "$2" >"$tree/$1"; }
 
@@ -15,6 +15,8 @@ restore() {
   plant src/scene/scene.cpp '#include "scene.hpp"'
   plant src/velum.hpp '#include "scene/scene.hpp"'
   plant apps/tool/main.cpp '#include <velum/velum.hpp>'
+  plant bench/main.cpp '#include <velum/velum.hpp>'
+  plant bench/kernels/main.cpp '#include <velum/pipeline/stages.hpp>'
   rm -rf "$tree/src/attic"
 }
 
@@ -46,4 +48,5 @@ must_find src/attic/old.hpp '#include "older.hpp"'
 must_find apps/tool/main.cpp '#include "../../src/scene/scene.hpp"'
 must_find apps/tool/main.cpp '#include "velum/velum.hpp"'
 must_find apps/tool/main.cpp '#include <src/scene/scene.hpp>'
+must_find bench/main.cpp '#include <velum/pipeline/stages.hpp>'
 echo "layers.sh finds every planted violation"
