@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../base/counters.hpp"
 #include "../base/isa.hpp"
 #include "../visibility/raster_triangle.hpp"
+#include "../visibility/tile_grid.hpp"
 
 namespace velum {
 
@@ -33,40 +35,39 @@ struct TransformWork {
 };
 using TransformVertices = void (*)(const TransformWork& work);
 
-/// What became of the triangles of one call; see Counters.
-struct SetUpCounts {
-  std::uint64_t accepted = 0;
-  std::uint64_t back_facing = 0;
-  std::uint64_t edge_on = 0;
-  std::uint64_t culled = 0;
-  std::uint64_t screen_triangles = 0;
-  std::uint64_t zero_area = 0;
-  std::uint64_t reversed = 0;
-};
-
 struct SetUpWork {
   const std::uint32_t* indices;  ///< three per triangle, of the whole mesh
   std::uint32_t first;           ///< triangles first … last-1 are looked at
   std::uint32_t last;
-  std::uint32_t first_primitive;  ///< id of triangle 0
-  const double* clip;             ///< of the whole mesh, as TransformWork gave it
+  std::uint32_t first_primitive;    ///< id of triangle 0 …
+  const std::uint32_t* primitives;  ///< … or, if not null, the ids of the triangles
+  const double* clip;               ///< of the whole mesh, as TransformWork gave it
   const PlacedVertex* placed;
   int width;  ///< of the whole picture, pixels
   int height;
   int target_left, target_top, target_right, target_bottom;  ///< the pixels wanted
-  bool cull_positive;     ///< leave out triangles whose determinant is > 0 …
-  bool cull_negative;     ///< … < 0
-  bool cull_zero;         ///< … = 0
-  bool is_back_positive;  ///< which sign faces away
-  RasterTriangle* out;    ///< room for last - first
-  std::uint32_t* slow;    ///< out: triangles with a vertex that is not placed; room for last - first
+  int tile_columns;                                          ///< see TileGrid
+  float sample_x, sample_y;  ///< from the pixel's centre to where depth is taken, pixels; see move_depth()
+  bool cull_positive;        ///< leave out triangles whose determinant is > 0 …
+  bool cull_negative;        ///< … < 0
+  bool cull_zero;            ///< … = 0
+  bool is_back_positive;     ///< which sign faces away
+  // Out; each triangle becomes what is_small() and its box say.
+  RasterTriangle* large;      ///< room for last - first
+  SmallTriangle* small;       ///< room for last - first
+  RasterFragment* fragments;  ///< room for fragments_room(last - first)
+  std::uint32_t* slow;        ///< triangles with a vertex that is not placed; room for last - first
 };
 
+/// How many of each were written: those with area whose box holds a pixel centre of the target.
 struct SetUpResult {
-  std::size_t triangles;  ///< in out: those with area whose box holds a pixel centre of the target
+  std::size_t large;
+  std::size_t small;
+  std::size_t fragments;
   std::size_t slow;
+  PixelBox box;  ///< around all but the slow
 };
-using SetUpTriangles = SetUpResult (*)(const SetUpWork& work, SetUpCounts& counts);
+using SetUpTriangles = SetUpResult (*)(const SetUpWork& work, Counters& counters);
 
 /// The kernels for an instruction set. @pre is_available(isa), and not `reference`
 TransformVertices transform_kernel(Isa isa);

@@ -5,38 +5,25 @@
 namespace velum {
 namespace {
 
-void add(const SetUpCounts& counts, Counters& counters) {
-  counters.triangles += counts.accepted + counts.culled;
-  counters.trivially_accepted += counts.accepted;
-  counters.back_facing += counts.back_facing;
-  counters.edge_on += counts.edge_on;
-  counters.culled += counts.culled;
-  counters.screen_triangles += counts.screen_triangles;
-  counters.zero_area += counts.zero_area;
-  counters.reversed += counts.reversed;
-}
-
-/// A batch with all that belongs to it.
-struct BatchSetUp {
+/// A run with all that belongs to it.
+struct RunSetUp {
   const BatchInput& input;
   const PlacedVertices& vertices;
-  PrimitiveBatch& batch;
-  std::vector<ScreenTriangle>& screen_triangles;
-  const Instance& instance = input.scene.instances()[batch.instance];
+  const PrimitiveRun& run;
+  Counters& counters;
+  BatchScratch& scratch;
+  const Instance& instance = input.scene.instances()[run.instance];
   const Mesh& mesh = input.scene.meshes()[instance.mesh];
-  const std::uint32_t first_primitive = input.scene.primitive({batch.instance, 0, batch.kind});
+  const std::uint32_t first_primitive = input.scene.primitive({run.instance, 0, run.kind});
   const Viewport viewport{input.settings.width, input.settings.height};
 
-  /// The triangles that need no clipping, by the vector kernel.
-  void set_up_whole_triangles() {
+  SetUpWork work() const {
     const Rect& target = input.grid.target;
-    const std::uint32_t count = batch.last - batch.first;
-    batch.bins.triangles.resize(count);
-    batch.slow.resize(count);
+    ScreenPrimitives& out = scratch.primitives;
     SetUpWork work{};
     work.indices = &mesh.triangles[0].x;
-    work.first = batch.first;
-    work.last = batch.last;
+    work.first = run.first;
+    work.last = run.last;
     work.first_primitive = first_primitive;
     work.clip = &vertices.clip.positions[0].x;
     work.placed = vertices.placed.data();
@@ -46,39 +33,64 @@ struct BatchSetUp {
     work.target_top = target.top;
     work.target_right = target.right();
     work.target_bottom = target.bottom();
+    work.tile_columns = input.grid.columns;
+    work.sample_x = static_cast<float>(input.sample.x) / subpixels;
+    work.sample_y = static_cast<float>(input.sample.y) / subpixels;
     set_culling(work, input.settings.cull, is_mirroring(instance.world_from_object));
-    work.out = batch.bins.triangles.data();
-    work.slow = batch.slow.data();
-    SetUpCounts counts;
-    const SetUpResult result = input.set_up(work, counts);
-    batch.bins.triangles.resize(result.triangles);
-    batch.slow.resize(result.slow);
-    add(counts, batch.counters);
+    work.large = out.large.data() + out.large_count;
+    work.small = out.small.data() + out.small_count;
+    work.fragments = out.fragments.data() + out.fragment_count;
+    work.slow = scratch.slow.data();
+    return work;
   }
 
-  /// The others, by the plain stages.
-  void set_up_slow_triangles() {
+  void set_up_triangles() {
+    scratch.slow.make_room(run.count());
+    ScreenPrimitives& out = scratch.primitives;
+    out.make_room(run.count());
+    const SetUpResult result = input.set_up(work(), counters);
+    out.large_count += result.large;
+    out.small_count += result.small;
+    out.fragment_count += result.fragments;
+    out.box = united(out.box, result.box);
+    set_up_slow_triangles(result.slow);
+  }
+
+  /// Those that need clipping, by the plain stages.
+  void set_up_slow_triangles(std::size_t count) {
     const bool mirrored = is_mirroring(instance.world_from_object);
-    for (const std::uint32_t i : batch.slow) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t index = scratch.slow[i];
       const AssembledTriangle triangle =
-          assemble(vertices.clip, mesh.triangles[i], mirrored, input.settings.cull, batch.counters);
+          assemble(vertices.clip, mesh.triangles[index], mirrored, input.settings.cull, counters);
       if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
-        set_up(triangle, first_primitive + i, viewport, batch.counters, screen_triangles);
+        set_up(triangle, first_primitive + index, viewport, counters, scratch.screen_triangles);
       }
     }
   }
 
   void set_up_segments() {
-    for (std::uint32_t i = batch.first; i < batch.last; ++i) {
+    for (std::uint32_t i = run.first; i < run.last; ++i) {
       set_up_segment(vertices.clip, mesh.segments[i], first_primitive + i, input.settings.line_width,
-                     viewport, batch.counters, screen_triangles);
+                     viewport, counters, scratch.screen_triangles);
     }
   }
 
   void set_up_points() {
-    for (std::uint32_t i = batch.first; i < batch.last; ++i) {
+    for (std::uint32_t i = run.first; i < run.last; ++i) {
       set_up_point(vertices.clip, mesh.points[i], first_primitive + i, input.settings.point_size, viewport,
-                   batch.counters, screen_triangles);
+                   counters, scratch.screen_triangles);
+    }
+  }
+
+  void set_up_run() {
+    switch (run.kind) {
+      case PrimitiveKind::triangle:
+        return set_up_triangles();
+      case PrimitiveKind::segment:
+        return set_up_segments();
+      case PrimitiveKind::point:
+        return set_up_points();
     }
   }
 };
@@ -100,32 +112,20 @@ void set_culling(SetUpWork& work, Cull cull, bool mirrored) {
   work.cull_zero = culls_front;  // edge-on counts as front-facing
 }
 
-void set_up_batch(const BatchInput& input, const PlacedVertices& vertices, PrimitiveBatch& batch,
-                  std::vector<ScreenTriangle>& screen_triangles) {
+void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,
+                  BatchScratch& scratch) {
   batch.counters = {};
-  batch.bins.clear();
-  screen_triangles.clear();
-  BatchSetUp work{input, vertices, batch, screen_triangles};
-  switch (batch.kind) {
-    case PrimitiveKind::triangle:
-      work.set_up_whole_triangles();
-      work.set_up_slow_triangles();
-      break;
-    case PrimitiveKind::segment:
-      work.set_up_segments();
-      break;
-    case PrimitiveKind::point:
-      work.set_up_points();
-      break;
+  scratch.primitives.clear();
+  scratch.primitives.make_room(batch.count);
+  for (const PrimitiveRun& run : batch.runs) {
+    scratch.screen_triangles.clear();
+    RunSetUp{input, vertices[run.vertices], run, batch.counters, scratch}.set_up_run();
+    move_all_to(input.sample, scratch.screen_triangles);
+    for (const ScreenTriangle& triangle : scratch.screen_triangles) {
+      if (!append_triangle(triangle, input.grid, scratch.primitives)) ++batch.counters.zero_area;
+    }
   }
-  if (input.sample != pixel_centre) {
-    for (RasterTriangle& triangle : batch.bins.triangles) move_depth(triangle, input.sample);
-    move_all_to(input.sample, screen_triangles);
-  }
-  for (const ScreenTriangle& triangle : screen_triangles) {
-    if (!append_triangle(triangle, input.grid.target, batch.bins)) ++batch.counters.zero_area;
-  }
-  sort_into_tiles(input.grid, batch.bins);
+  batch.bins.sort(scratch.primitives, input.grid);
 }
 
 }  // namespace velum

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "../visibility/sample_positions.hpp"
@@ -18,16 +19,28 @@ struct PlacedVertices {
   void resize(std::size_t count);
 };
 
-/// A run of one instance's primitives of one kind: what one worker sets up and sorts into tiles in one go.
-struct PrimitiveBatch {
+/// Neighbouring primitives of one instance, all of one kind.
+struct PrimitiveRun {
   std::uint32_t instance = 0;
   PrimitiveKind kind = PrimitiveKind::triangle;
   std::uint32_t vertices = 0;  ///< which of the round's PlacedVertices
   std::uint32_t first = 0;     ///< primitives first … last-1 among those of the kind
   std::uint32_t last = 0;
-  TileBins bins;                    ///< out
-  Counters counters;                ///< out: of these primitives
-  std::vector<std::uint32_t> slow;  ///< triangles that take the plain path
+
+  std::uint32_t count() const { return last - first; }
+};
+
+/// What one worker sets up and sorts into tiles in one go.
+struct PrimitiveBatch {
+  std::vector<PrimitiveRun> runs;
+  std::uint32_t count = 0;  ///< of primitives in the runs
+  TileBins bins;            ///< out
+  Counters counters;        ///< out: of these primitives
+
+  void clear() {
+    runs.clear();
+    count = 0;
+  }
 };
 
 /// What setting up needs to know of the frame.
@@ -39,10 +52,17 @@ struct BatchInput {
   SamplePosition sample = pixel_centre;
 };
 
+/// Memory of a worker.
+struct BatchScratch {
+  ScreenPrimitives primitives;
+  KeptArray<std::uint32_t> slow;  ///< triangles that take the plain path
+  std::vector<ScreenTriangle> screen_triangles;
+};
+
 /// Fills the batch's bins and counters.
-/// @param screen_triangles  scratch memory of the worker
-void set_up_batch(const BatchInput& input, const PlacedVertices& vertices, PrimitiveBatch& batch,
-                  std::vector<ScreenTriangle>& screen_triangles);
+/// @param vertices  those of the round
+void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,
+                  BatchScratch& scratch);
 
 /// Translates facing into the signs of the determinant that work's flags are about.
 void set_culling(SetUpWork& work, Cull cull, bool mirrored);

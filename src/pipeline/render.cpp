@@ -118,7 +118,7 @@ struct Frame {
   /// The vector kernels know the definition's depth only, and no lists.
   bool is_for_tiles() const {
     return settings.visibility == VisibilityMethod::zbuffer && settings.isa != Isa::reference &&
-           settings.depth_format == DepthFormat::reversed && lists == nullptr && is_worth_tiles(scene, rect);
+           settings.depth_format == DepthFormat::reversed && lists == nullptr;
   }
 
   void draw_scene() {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "../shading/wireframe.hpp"
-#include "../visibility/tile_bins.hpp"
+#include "../visibility/tile_grid.hpp"
 #include "memory_need.hpp"
 
 namespace velum {

@@ -8,38 +8,39 @@
 namespace velum {
 namespace {
 
-/// Primitives per batch: enough to amortise the sorting, few enough to stay in cache.
-constexpr std::uint32_t batch_size = 8192;
+/// Primitives per batch: enough to amortise the sorting, few enough to stay in cache. A batch has a table of
+/// the tiles, so there are more in it where tiles are many.
+constexpr std::uint32_t smallest_batch = 4096;
+constexpr std::uint32_t tiles_per_primitive = 4;
 /// Primitives per round: bounds the memory for those that wait to be drawn.
 constexpr std::uint64_t round_size = std::uint64_t{1} << 19;
 /// Vertices per round, beyond which no further instance joins it: 41 bytes each.
 constexpr std::uint64_t round_vertices = std::uint64_t{1} << 21;
-/// Batches of a round times tiles: each batch has a table of the tiles, 4 bytes for each.
-constexpr std::uint64_t round_table = std::uint64_t{1} << 23;
-/// Batches times tiles of a frame: beyond that looking into the tables costs more than drawing plainly.
-constexpr std::uint64_t frame_table = std::uint64_t{1} << 26;
 /// Vertices transformed in one go.
 constexpr std::size_t vertex_chunk = 8192;
+
+TilePrimitives primitives_of(const TileWork& work) {
+  return {work.large,        work.large_indices.data(), work.large_indices.size(), work.small.data(),
+          work.small.size(), work.fragments.data(),     work.fragments.size()};
+}
 
 class TileStage {
  public:
   TileStage(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
             Counters& counters)
       : input_(input), buffers_(buffers), buffer_(buffer), counters_(counters), grid_(input.rect) {
-    const auto workers = static_cast<std::size_t>(input.executor.threads());
-    buffers.screen_triangles.resize(workers);
-    buffers.tiles.resize(workers);
-    buffers.counts.assign(workers, {});
+    buffers.workers.resize(static_cast<std::size_t>(input.executor.threads()));
+    for (TileStageBuffers::Worker& worker : buffers.workers) worker.counts = {};
     buffers.used = 0;
   }
 
   void draw() {
     for (std::uint32_t i = 0; i < input_.scene.instances().size(); ++i) add_instance(i);
     draw_round();
-    for (const TileCounts& counts : buffers_.counts) {
-      counters_.hidden_triangles += counts.hidden_triangles;
-      counters_.hidden_blocks += counts.hidden_blocks;
-      counters_.drawn_blocks += counts.drawn_blocks;
+    for (const TileStageBuffers::Worker& worker : buffers_.workers) {
+      counters_.hidden_triangles += worker.counts.hidden_triangles;
+      counters_.hidden_blocks += worker.counts.hidden_blocks;
+      counters_.drawn_blocks += worker.counts.drawn_blocks;
     }
   }
 
@@ -61,27 +62,35 @@ class TileStage {
     const std::uint32_t vertices = instances_in_round_++;
     if (buffers_.vertices.size() < instances_in_round_) buffers_.vertices.resize(instances_in_round_);
     transform(instance, mesh.positions.span(), buffers_.vertices[vertices]);
-    add_batches(instance, vertices, PrimitiveKind::triangle, mesh.triangles.size());
-    add_batches(instance, vertices, PrimitiveKind::segment, mesh.segments.size());
-    add_batches(instance, vertices, PrimitiveKind::point, mesh.points.size());
+    add_runs({instance, PrimitiveKind::triangle, vertices}, mesh.triangles.size());
+    add_runs({instance, PrimitiveKind::segment, vertices}, mesh.segments.size());
+    add_runs({instance, PrimitiveKind::point, vertices}, mesh.points.size());
   }
 
-  void add_batches(std::uint32_t instance, std::uint32_t vertices, PrimitiveKind kind, std::size_t count) {
-    const auto end = static_cast<std::uint32_t>(count);
-    for (std::uint32_t first = 0, last = 0; first < end; first = last) {
-      last = first + std::min(batch_size, end - first);
-      if (buffers_.used == buffers_.batches.size()) buffers_.batches.emplace_back();
-      PrimitiveBatch& batch = buffers_.batches[buffers_.used++];
-      batch.instance = instance;
-      batch.kind = kind;
-      batch.vertices = vertices;
-      batch.first = first;
-      batch.last = last;
-      waiting_ += last - first;
-      // An instance of more than a round keeps its vertices for the next.
-      const std::uint64_t table = (buffers_.used + 1) * static_cast<std::uint64_t>(grid_.count() + 1);
-      if (waiting_ >= round_size || table > round_table) draw_round();
+  /// Adds primitives 0 … count-1 of the run's kind. An instance of more than a round keeps its vertices for
+  /// the next.
+  void add_runs(PrimitiveRun run, std::size_t count) {
+    while (run.last < count) {
+      PrimitiveBatch& batch = open_batch();
+      run.first = run.last;
+      run.last +=
+          static_cast<std::uint32_t>(std::min<std::size_t>(batch_size_ - batch.count, count - run.first));
+      batch.runs.push_back(run);
+      batch.count += run.count();
+      waiting_ += run.count();
+      if (waiting_ >= round_size) draw_round();
     }
+  }
+
+  /// The batch that is being filled, with room.
+  PrimitiveBatch& open_batch() {
+    if (buffers_.used > 0 && buffers_.batches[buffers_.used - 1].count < batch_size_) {
+      return buffers_.batches[buffers_.used - 1];
+    }
+    if (buffers_.used == buffers_.batches.size()) buffers_.batches.emplace_back();
+    PrimitiveBatch& batch = buffers_.batches[buffers_.used++];
+    batch.clear();
+    return batch;
   }
 
   void transform(std::uint32_t instance, std::span<const glm::vec3> positions, PlacedVertices& out) {
@@ -109,12 +118,10 @@ class TileStage {
     if (buffers_.used == 0) return;
     const BatchInput batch_input{input_.scene, input_.settings, grid_, set_up_, input_.sample};
     input_.executor.for_each(buffers_.used, [&](std::size_t i, int worker) {
-      PrimitiveBatch& batch = buffers_.batches[i];
-      set_up_batch(batch_input, buffers_.vertices[batch.vertices], batch,
-                   buffers_.screen_triangles[static_cast<std::size_t>(worker)]);
+      set_up_batch(batch_input, buffers_.vertices, buffers_.batches[i], worker_of(worker).scratch);
     });
     input_.executor.for_each(static_cast<std::size_t>(grid_.count()), [&](std::size_t i, int worker) {
-      draw_tile(static_cast<int>(i), static_cast<std::size_t>(worker));
+      draw_tile(static_cast<int>(i), worker_of(worker));
     });
     for (std::size_t i = 0; i < buffers_.used; ++i) counters_ += buffers_.batches[i].counters;
     drawn_ += waiting_;
@@ -123,20 +130,34 @@ class TileStage {
     input_.progress(static_cast<double>(drawn_) / input_.scene.primitive_count());
   }
 
-  void draw_tile(int index, std::size_t worker) const {
+  /// Large triangles first: what they hide need not be drawn.
+  void draw_tile(int index, TileStageBuffers::Worker& worker) const {
     const int left = grid_.left(index), top = grid_.top(index);
-    TileBuffer& tile = buffers_.tiles[worker];
+    const auto batches = std::span(buffers_.batches).first(buffers_.used);
     bool is_loaded = false;
-    for (std::size_t i = 0; i < buffers_.used; ++i) {
-      const TileBins& bins = buffers_.batches[i].bins;
-      const auto entries = bins.of_tile(index);
-      if (entries.empty()) continue;
-      if (!is_loaded) load(left, top, tile);
+    for (const PrimitiveBatch& batch : batches) {
+      TilePrimitives work = primitives_of(batch.bins.of_tile(index));
+      if (work.large_count == 0) continue;
+      if (!is_loaded) load(left, top, worker.tile);
       is_loaded = true;
-      draw_({bins.triangles.data(), entries.data(), entries.size()}, left, top, tile,
-            buffers_.counts[worker]);
+      raster_.find_occluder(work, left, top, worker.tile);
     }
-    if (is_loaded) store_tile(tile, input_.rect, left, top, buffer_);
+    const bool has_large = is_loaded;
+    for (const PrimitiveBatch& batch : batches) {
+      if (!has_large) break;
+      TilePrimitives work = primitives_of(batch.bins.of_tile(index));
+      work.small_count = work.fragment_count = 0;
+      if (work.large_count > 0) raster_.draw(work, left, top, worker.tile, worker.counts);
+    }
+    for (const PrimitiveBatch& batch : batches) {
+      TilePrimitives work = primitives_of(batch.bins.of_tile(index));
+      work.large_count = 0;
+      if (work.small_count + work.fragment_count == 0) continue;
+      if (!is_loaded) load(left, top, worker.tile);
+      is_loaded = true;
+      raster_.draw(work, left, top, worker.tile, worker.counts);
+    }
+    if (is_loaded) store_tile(worker.tile, input_.rect, left, top, buffer_);
   }
 
   void load(int left, int top, TileBuffer& tile) const {
@@ -147,14 +168,20 @@ class TileStage {
     }
   }
 
+  TileStageBuffers::Worker& worker_of(int worker) const {
+    return buffers_.workers[static_cast<std::size_t>(worker)];
+  }
+
   const TileStageInput& input_;
   TileStageBuffers& buffers_;
   VisibilityBuffer& buffer_;
   Counters& counters_;
   const TileGrid grid_;
+  const std::uint32_t batch_size_ =
+      std::max(smallest_batch, static_cast<std::uint32_t>(grid_.count()) / tiles_per_primitive);
   const TransformVertices transform_ = transform_kernel(input_.settings.isa);
   const SetUpTriangles set_up_ = set_up_kernel(input_.settings.isa);
-  const RasterizeTile draw_ = tile_raster(input_.settings.isa);
+  const TileRaster raster_ = tile_raster(input_.settings.isa);
   std::uint32_t instances_in_round_ = 0;
   std::uint64_t vertices_in_round_ = 0;
   std::uint64_t waiting_ = 0;  ///< primitives in batches
@@ -162,11 +189,6 @@ class TileStage {
 };
 
 }  // namespace
-
-bool is_worth_tiles(const Scene& scene, const Rect& rect) {
-  const auto tiles = static_cast<std::uint64_t>(TileGrid(rect).count());
-  return scene.instances().size() * tiles <= frame_table;
-}
 
 void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
                    Counters& counters) {

@@ -11,12 +11,17 @@ namespace velum {
 
 /// What the stage keeps between frames.
 struct TileStageBuffers {
+  /// Memory of one worker.
+  struct Worker {
+    BatchScratch scratch;
+    TileBuffer tile;
+    TileCounts counts;
+  };
+
   std::vector<PlacedVertices> vertices;  ///< of the instances in the round
   std::vector<PrimitiveBatch> batches;   ///< the first `used` of them are the round's
   std::size_t used = 0;
-  std::vector<std::vector<ScreenTriangle>> screen_triangles;  ///< one per worker
-  std::vector<TileBuffer> tiles;                              ///< one per worker
-  std::vector<TileCounts> counts;                             ///< one per worker
+  std::vector<Worker> workers;
 };
 
 /// What the stage needs to know of the frame.
@@ -31,12 +36,8 @@ struct TileStageInput {
   SamplePosition sample = pixel_centre;  ///< where in the pixels visibility is decided
 };
 
-/// Whether the picture's tiles and the scene's instances are few enough for draw_in_tiles(): not for tens of
-/// thousands of instances in thousands of tiles.
-bool is_worth_tiles(const Scene& scene, const Rect& rect);
-
 /// The production z-buffer: rounds of primitives are transformed, set up and sorted into tiles, then each
-/// tile draws its triangles while it stays in cache (sort-middle: Molnar, Cox, Ellsworth & Fuchs 1994, "A
+/// tile draws its primitives while it stays in cache (sort-middle: Molnar, Cox, Ellsworth & Fuchs 1994, "A
 /// Sorting Classification of Parallel Rendering"). Each step runs on all threads; since the smaller
 /// (depth, id) wins in any order, the buffer is rasterize_zbuffer's to the bit.
 /// @param buffer  cleared, of rect's size

@@ -6,110 +6,139 @@
 namespace velum {
 namespace {
 
-/// Pixels first … last along one axis.
-struct Span {
-  int first;
-  int last;
+/// The tiles that a box of pixels meets: columns left … right of rows top … bottom.
+struct TileRange {
+  int left, top, right, bottom;
+
+  int count() const { return (right - left + 1) * (bottom - top + 1); }
 };
 
-/// The pixels of the target whose centres lie between the smallest and the largest coordinate.
-Span centres_between(std::int32_t a, std::int32_t b, std::int32_t c, int begin, int end) {
-  constexpr std::int32_t half = subpixels / 2;
-  const std::int32_t lowest = std::min({a, b, c});
-  const std::int32_t highest = std::max({a, b, c});
-  return {std::max((lowest + half - 1) >> subpixel_bits, begin),
-          std::min((highest - half) >> subpixel_bits, end - 1)};
+TileRange tiles_of(int left, int top, int right, int bottom, const TileGrid& grid) {
+  const auto column = [&](int x) {
+    return static_cast<int>(static_cast<unsigned>(x - grid.target.left) / tile_size);
+  };
+  const auto row = [&](int y) {
+    return static_cast<int>(static_cast<unsigned>(y - grid.target.top) / tile_size);
+  };
+  return {column(left), row(top), column(right), row(bottom)};
+}
+
+TileRange tiles_of(const SmallTriangle& t, const TileGrid& grid) {
+  return tiles_of(t.left, t.top, t.right, t.bottom, grid);
 }
 
 TileRange tiles_of(const RasterTriangle& t, const TileGrid& grid) {
+  constexpr std::int32_t half = subpixels / 2;
   const Rect& target = grid.target;
-  const Span x = centres_between(t.x[0], t.x[1], t.x[2], target.left, target.right());
-  const Span y = centres_between(t.y[0], t.y[1], t.y[2], target.top, target.bottom());
-  const auto tile = [](int pixel) { return static_cast<std::uint16_t>(pixel / tile_size); };
-  return {tile(x.first - target.left), tile(y.first - target.top), tile(x.last - target.left),
-          tile(y.last - target.top)};
+  const auto [x_min, x_max] = std::minmax({t.x[0], t.x[1], t.x[2]});
+  const auto [y_min, y_max] = std::minmax({t.y[0], t.y[1], t.y[2]});
+  return tiles_of(std::max((x_min + half - 1) >> subpixel_bits, target.left),
+                  std::max((y_min + half - 1) >> subpixel_bits, target.top),
+                  std::min((x_max - half) >> subpixel_bits, target.right() - 1),
+                  std::min((y_max - half) >> subpixel_bits, target.bottom() - 1), grid);
 }
 
 /// Calls visit(tile) for every tile of the range.
 template <typename Visit>
 void for_each_tile(const TileRange& range, const TileGrid& grid, const Visit& visit) {
   for (int row = range.top; row <= range.bottom; ++row) {
-    for (int column = range.left; column <= range.right; ++column) {
-      visit(static_cast<std::size_t>(row * grid.columns + column));
-    }
+    for (int column = range.left; column <= range.right; ++column) visit(row * grid.columns + column);
   }
 }
 
-}  // namespace
-
-void TileBins::clear() {
-  triangles.clear();
-  ranges.clear();
-  first_entry.clear();
-  entries.clear();
-}
-
-bool append_triangle(const ScreenTriangle& triangle, const Rect& target, TileBins& bins) {
-  const std::int64_t area = doubled_area(triangle.vertices);
-  if (area == 0) return false;
-  const SnappedVertex& a = triangle.vertices[0];
-  const SnappedVertex& b = triangle.vertices[area < 0 ? 2 : 1];
-  const SnappedVertex& c = triangle.vertices[area < 0 ? 1 : 2];
-  const Span x = centres_between(a.x, b.x, c.x, target.left, target.right());
-  const Span y = centres_between(a.y, b.y, c.y, target.top, target.bottom());
-  if (x.first > x.last || y.first > y.last) return true;
-  const DepthPlane& depth = triangle.depth;
-  bins.triangles.push_back({{a.x, b.x, c.x},
-                            {a.y, b.y, c.y},
-                            depth.r_ref,
-                            depth.dx,
-                            depth.dy,
-                            depth.x_ref,
-                            depth.y_ref,
-                            depth.lower,
-                            depth.upper,
-                            triangle.primitive});
-  return true;
-}
-
-namespace {
-
-/// Fills bins.ranges. @return how many entries they make
-std::uint64_t find_ranges(const TileGrid& grid, TileBins& bins) {
+/// Whether sorting them would make too many entries.
+bool meet_too_many_tiles(const ScreenPrimitives& primitives, const TileGrid& grid) {
   std::uint64_t entries = 0;
-  bins.ranges.clear();
-  for (const RasterTriangle& triangle : bins.triangles) {
-    const TileRange range = tiles_of(triangle, grid);
-    entries += static_cast<std::uint64_t>(range.right - range.left + 1) *
-               static_cast<std::uint64_t>(range.bottom - range.top + 1);
-    bins.ranges.push_back(range);
+  for (std::size_t i = 0; i < primitives.large_count; ++i) {
+    entries += static_cast<std::uint64_t>(tiles_of(primitives.large[i], grid).count());
   }
-  return entries;
+  return entries > most_tile_entries;
 }
 
 }  // namespace
 
-void sort_into_tiles(const TileGrid& grid, TileBins& bins) {
-  const std::uint64_t entries = find_ranges(grid, bins);
-  if (entries > most_tile_entries) {
-    bins.first_entry.clear();
-    bins.entries.resize(bins.triangles.size());
-    std::iota(bins.entries.begin(), bins.entries.end(), 0u);
+void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
+  const PixelBox& box = primitives.box;
+  first_tile_ = box.is_empty() ? 0 : grid.at(box.left, box.top);
+  end_tile_ = box.is_empty() ? 0 : grid.at(box.right, box.bottom) + 1;
+  const auto tiles = static_cast<std::size_t>(end_tile_ - first_tile_);
+  // Counted one place ahead, so that summing up leaves each tile's beginning.
+  First* const first = first_.make_room(tiles + 2);
+  std::fill_n(first, tiles + 2, First{0, 0, 0});
+  First* const next = first + 2 - first_tile_;
+  large_are_sorted_ = !meet_too_many_tiles(primitives, grid);
+  for (std::size_t i = 0; large_are_sorted_ && i < primitives.large_count; ++i) {
+    for_each_tile(tiles_of(primitives.large[i], grid), grid, [&](int tile) { ++next[tile].large; });
+  }
+  for (std::size_t i = 0; i < primitives.small_count; ++i) {
+    for_each_tile(tiles_of(primitives.small[i], grid), grid, [&](int tile) { ++next[tile].small; });
+  }
+  for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
+    ++next[primitives.fragments[i].place / tile_pixels].fragment;
+  }
+  for (std::size_t i = 2; i < tiles + 2; ++i) {
+    first[i].large += first[i - 1].large;
+    first[i].small += first[i - 1].small;
+    first[i].fragment += first[i - 1].fragment;
+  }
+}
+
+// While primitives come in, first_[tile + 1] moves from the tile's beginning to its end.
+
+void TileBins::place_large(const ScreenPrimitives& primitives, const TileGrid& grid) {
+  large_count_ = static_cast<std::uint32_t>(primitives.large_count);
+  RasterTriangle* const large = large_.make_room(primitives.large_count);
+  std::copy_n(primitives.large.data(), primitives.large_count, large);
+  First* const next = first_.data() + 1 - first_tile_;
+  if (!large_are_sorted_) {
+    std::uint32_t* const all = large_indices_.make_room(large_count_);
+    std::iota(all, all + large_count_, 0u);
     return;
   }
-  bins.first_entry.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
-  for (const TileRange& range : bins.ranges) {
-    for_each_tile(range, grid, [&](std::size_t tile) { ++bins.first_entry[tile + 1]; });
+  std::uint32_t* const indices = large_indices_.make_room(next[end_tile_].large);
+  for (std::uint32_t i = 0; i < large_count_; ++i) {
+    for_each_tile(tiles_of(large[i], grid), grid, [&](int tile) { indices[next[tile].large++] = i; });
   }
-  for (std::size_t i = 1; i < bins.first_entry.size(); ++i) bins.first_entry[i] += bins.first_entry[i - 1];
-  bins.entries.resize(static_cast<std::size_t>(entries));
-  // Each tile's beginning moves to its end while entries come in; then all move back by one.
-  for (std::uint32_t i = 0; i < bins.triangles.size(); ++i) {
-    for_each_tile(bins.ranges[i], grid,
-                  [&](std::size_t tile) { bins.entries[bins.first_entry[tile]++] = i; });
+}
+
+void TileBins::place_small(const ScreenPrimitives& primitives, const TileGrid& grid) {
+  First* const next = first_.data() + 1 - first_tile_;
+  SmallTriangle* const small = small_.make_room(next[end_tile_].small);
+  for (std::size_t i = 0; i < primitives.small_count; ++i) {
+    const SmallTriangle& triangle = primitives.small[i];
+    for_each_tile(tiles_of(triangle, grid), grid, [&](int tile) { small[next[tile].small++] = triangle; });
   }
-  std::copy_backward(bins.first_entry.begin(), bins.first_entry.end() - 1, bins.first_entry.end());
-  bins.first_entry.front() = 0;
+}
+
+void TileBins::place_fragments(const ScreenPrimitives& primitives) {
+  First* const next = first_.data() + 1 - first_tile_;
+  RasterFragment* const fragments = fragments_.make_room(primitives.fragment_count);
+  for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
+    const RasterFragment& fragment = primitives.fragments[i];
+    fragments[next[fragment.place / tile_pixels].fragment++] = fragment;
+  }
+}
+
+void TileBins::sort(const ScreenPrimitives& primitives, const TileGrid& grid) {
+  count(primitives, grid);
+  if (end_tile_ == first_tile_) return;
+  place_large(primitives, grid);
+  place_small(primitives, grid);
+  place_fragments(primitives);
+}
+
+TileWork TileBins::of_tile(int tile) const {
+  if (tile < first_tile_ || tile >= end_tile_) return {};
+  const First& first = first_[static_cast<std::size_t>(tile - first_tile_)];
+  const First& end = first_[static_cast<std::size_t>(tile - first_tile_) + 1];
+  TileWork work{};
+  work.large = large_.data();
+  work.large_indices = large_are_sorted_
+                           ? std::span(large_indices_.data() + first.large, end.large - first.large)
+                           : std::span(large_indices_.data(), large_count_);
+  work.small = {small_.data() + first.small, end.small - first.small};
+  work.fragments = {fragments_.data() + first.fragment, end.fragment - first.fragment};
+  return work;
 }
 
 }  // namespace velum

@@ -16,23 +16,34 @@ struct TileCounts {
   std::uint64_t drawn_blocks = 0;      ///< blocks of larger triangles that were looked at pixel by pixel
 };
 
-/// The triangles of one tile.
-struct TileTriangles {
-  const RasterTriangle* triangles;
-  const std::uint32_t* indices;  ///< those that meet the tile
-  std::size_t count;
+/// Some of what meets a tile; see TileWork.
+struct TilePrimitives {
+  const RasterTriangle* large;
+  const std::uint32_t* large_indices;
+  std::size_t large_count;
+  const SmallTriangle* small;
+  std::size_t small_count;
+  const RasterFragment* fragments;
+  std::size_t fragment_count;
 };
 
-/// Draws triangles into a tile: coverage by integer edge functions (Pineda 1988), eight pixels at a time;
-/// larger triangles block by block, blocks wholly outside, or wholly behind what the block shows, left out
-/// (Greene 1996; McCormack & McNamara 2000). What it leaves in the tile is what rasterize_zbuffer leaves in
-/// the visibility buffer, to the bit.
-/// @param left, top  the tile's first pixel in the picture
-/// @pre coordinates are within ±2²³
-using RasterizeTile = void (*)(const TileTriangles& work, int left, int top, TileBuffer& tile,
-                               TileCounts& counts);
+/// The kernels of the tile raster. Coverage comes from integer edge functions (Pineda 1988), as many pixels
+/// at a time as a vector holds; larger triangles go block by block, blocks wholly outside, or wholly behind
+/// what the block shows, left out (Greene 1996; McCormack & McNamara 2000). What they leave in the tile is
+/// what rasterize_zbuffer leaves in the visibility buffer, to the bit, in whichever order they are called.
+struct TileRaster {
+  /// Draws primitives. @param left, top  the tile's first pixel in the picture
+  /// @pre coordinates are within ±2²³
+  using Draw = void (*)(const TilePrimitives& work, int left, int top, TileBuffer& tile, TileCounts& counts);
+  /// Looks for a large triangle that covers the whole tile: what lies behind it will be hidden, and need not
+  /// be drawn even where it comes first. Raises tile.occluder.
+  using FindOccluder = void (*)(const TilePrimitives& work, int left, int top, TileBuffer& tile);
 
-/// The kernel for an instruction set. @pre is_available(isa), and not `reference`
-RasterizeTile tile_raster(Isa isa);
+  Draw draw;
+  FindOccluder find_occluder;
+};
+
+/// The kernels for an instruction set. @pre is_available(isa), and not `reference`
+TileRaster tile_raster(Isa isa);
 
 }  // namespace velum

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
@@ -21,7 +23,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Without what pads a triangle to a cache line.
-constexpr std::size_t used_bytes = offsetof(RasterTriangle, primitive) + sizeof(std::uint32_t);
+constexpr std::size_t large_bytes = offsetof(RasterTriangle, primitive) + sizeof(std::uint32_t);
+constexpr std::size_t small_bytes = offsetof(SmallTriangle, primitive) + sizeof(std::uint32_t);
 
 template <typename T>
 bool same_bits(const T& a, const T& b) {
@@ -92,7 +95,7 @@ void check_vertices(const std::vector<glm::vec3>& positions, const glm::dmat4& m
 
 /// The plain path over the triangles that need no clipping.
 struct Expected {
-  TileBins bins;
+  ScreenPrimitives primitives;
   std::vector<std::uint32_t> slow;
   Counters counters;
 };
@@ -121,15 +124,38 @@ Expected by_the_plain_path(const Case& c) {
       set_up(triangle, 100 + i, c.viewport, expected.counters, pieces);
   }
   for (const ScreenTriangle& piece : pieces) {
-    if (!append_triangle(piece, c.target, expected.bins)) ++expected.counters.zero_area;
+    if (!append_triangle(piece, TileGrid(c.target), expected.primitives)) ++expected.counters.zero_area;
   }
   return expected;
+}
+
+/// The kernel writes fragments by vectors, in another order.
+std::vector<std::array<std::uint32_t, 3>> sorted(const RasterFragment* fragments, std::size_t count) {
+  std::vector<std::array<std::uint32_t, 3>> words;
+  for (std::size_t i = 0; i < count; ++i) {
+    words.push_back(
+        {fragments[i].primitive, fragments[i].place, static_cast<std::uint32_t>(fragments[i].depth)});
+  }
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
+void check_counters(const Counters& actual, const Counters& expected) {
+  CHECK(actual.triangles == expected.triangles);
+  CHECK(actual.trivially_accepted == expected.trivially_accepted);
+  CHECK(actual.back_facing == expected.back_facing);
+  CHECK(actual.edge_on == expected.edge_on);
+  CHECK(actual.culled == expected.culled);
+  CHECK(actual.screen_triangles == expected.screen_triangles);
+  CHECK(actual.zero_area == expected.zero_area);
+  CHECK(actual.reversed == expected.reversed);
 }
 
 void check_set_up(const Case& c, Isa isa) {
   const Expected expected = by_the_plain_path(c);
   const auto count = static_cast<std::uint32_t>(c.triangles.size());
-  std::vector<RasterTriangle> out(count);
+  ScreenPrimitives out;
+  out.make_room(count);
   std::vector<std::uint32_t> slow(count);
   SetUpWork work{};
   work.indices = &c.triangles[0].x;
@@ -143,24 +169,30 @@ void check_set_up(const Case& c, Isa isa) {
   work.target_top = c.target.top;
   work.target_right = c.target.right();
   work.target_bottom = c.target.bottom();
+  work.tile_columns = TileGrid(c.target).columns;
   set_culling(work, c.cull, c.mirrored);
-  work.out = out.data();
+  work.large = out.large.data();
+  work.small = out.small.data();
+  work.fragments = out.fragments.data();
   work.slow = slow.data();
-  SetUpCounts counts;
-  const SetUpResult result = set_up_kernel(isa)(work, counts);
-  REQUIRE(result.triangles == expected.bins.triangles.size());
-  for (std::size_t i = 0; i < result.triangles; ++i) {
+  Counters counters;
+  const SetUpResult result = set_up_kernel(isa)(work, counters);
+  REQUIRE(result.large == expected.primitives.large_count);
+  REQUIRE(result.small == expected.primitives.small_count);
+  for (std::size_t i = 0; i < result.large; ++i) {
     CAPTURE(i);
-    CHECK(std::memcmp(&out[i], &expected.bins.triangles[i], used_bytes) == 0);
+    CHECK(std::memcmp(&out.large[i], &expected.primitives.large[i], large_bytes) == 0);
   }
+  for (std::size_t i = 0; i < result.small; ++i) {
+    CAPTURE(i);
+    CHECK(std::memcmp(&out.small[i], &expected.primitives.small[i], small_bytes) == 0);
+  }
+  const bool same_fragments =
+      sorted(out.fragments.data(), result.fragments) ==
+      sorted(expected.primitives.fragments.data(), expected.primitives.fragment_count);
+  CHECK(same_fragments);
   CHECK(std::vector(slow.begin(), slow.begin() + static_cast<std::ptrdiff_t>(result.slow)) == expected.slow);
-  CHECK(counts.accepted == expected.counters.trivially_accepted);
-  CHECK(counts.back_facing == expected.counters.back_facing);
-  CHECK(counts.edge_on == expected.counters.edge_on);
-  CHECK(counts.culled == expected.counters.culled);
-  CHECK(counts.screen_triangles == expected.counters.screen_triangles);
-  CHECK(counts.zero_area == expected.counters.zero_area);
-  CHECK(counts.reversed == expected.counters.reversed);
+  check_counters(counters, expected.counters);
 }
 
 /// Triangles of neighbouring vertices; some repeat a vertex.

@@ -174,7 +174,7 @@ TEST_CASE("more primitives than one round of the tiles holds, in one mesh and in
   CHECK(actual.counters.reversed == expected.counters.reversed);
 }
 
-TEST_CASE("rounds that end with an instance, and instances too many for tiles") {
+TEST_CASE("rounds that end with an instance, and batches of many instances") {
   Mesh quad;
   quad.positions = {glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0), glm::vec3(-1, 1, 0)};
   quad.triangles = {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)};

@@ -17,21 +17,33 @@ namespace {
 
 using Soup = std::vector<ScreenTriangle>;
 
+TilePrimitives primitives_of(const TileWork& work) {
+  return {work.large,        work.large_indices.data(), work.large_indices.size(), work.small.data(),
+          work.small.size(), work.fragments.data(),     work.fragments.size()};
+}
+
+ScreenPrimitives primitives_of(std::span<const ScreenTriangle> soup, const TileGrid& grid) {
+  ScreenPrimitives primitives;
+  primitives.make_room(soup.size());
+  for (const ScreenTriangle& triangle : soup) append_triangle(triangle, grid, primitives);
+  return primitives;
+}
+
 /// Draws through bins and tiles, in two halves so that tiles are loaded again.
 VisibilityBuffer by_tiles(const Soup& soup, const Rect& rect, Isa isa, TileCounts& counts) {
   VisibilityBuffer buffer(rect.width, rect.height);
   const auto tile = std::make_unique<TileBuffer>();
   const TileGrid grid(rect);
+  const TileRaster raster = tile_raster(isa);
   const std::size_t half = soup.size() / 2;
   for (const auto& part : {std::span(soup).first(half), std::span(soup).subspan(half)}) {
     TileBins bins;
-    for (const ScreenTriangle& triangle : part) append_triangle(triangle, rect, bins);
-    sort_into_tiles(grid, bins);
+    bins.sort(primitives_of(part, grid), grid);
     for (int i = 0; i < grid.count(); ++i) {
-      const auto entries = bins.of_tile(i);
+      const TilePrimitives work = primitives_of(bins.of_tile(i));
       load_tile(buffer, rect, grid.left(i), grid.top(i), *tile);
-      tile_raster(isa)({bins.triangles.data(), entries.data(), entries.size()}, grid.left(i), grid.top(i),
-                       *tile, counts);
+      raster.find_occluder(work, grid.left(i), grid.top(i), *tile);
+      raster.draw(work, grid.left(i), grid.top(i), *tile, counts);
       store_tile(*tile, rect, grid.left(i), grid.top(i), buffer);
     }
   }
@@ -153,6 +165,21 @@ TEST_CASE("Tiles of the largest picture") {
   }
 }
 
+TEST_CASE("An occluder of the whole tile hides what comes before it") {
+  // From back to front: without looking ahead, all of them would be drawn.
+  Soup soup;
+  ScreenTriangle wall;
+  wall.vertices = {SnappedVertex{-1000, -1000}, {300 * 512, -1000}, {-1000, 300 * 512}};
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    wall.primitive = i;
+    wall.depth.r_ref = wall.depth.lower = wall.depth.upper = 0.04f * static_cast<float>(i + 1);
+    soup.push_back(wall);
+  }
+  const TileCounts counts = check_identity(soup, {0, 0, 64, 64});
+  CHECK(counts.hidden_triangles == 18);  // all but the last of each half
+  CHECK(counts.drawn_blocks == 2 * 64);
+}
+
 TEST_CASE("Too many entries are not sorted: every tile gets every triangle, and holds the same") {
   Soup soup;
   ScreenTriangle large;
@@ -163,13 +190,11 @@ TEST_CASE("Too many entries are not sorted: every tile gets every triangle, and 
     soup.push_back(large);
   }
   const Rect whole{0, 0, 32768, 32768};
-  TileBins bins;
-  for (const ScreenTriangle& triangle : soup) append_triangle(triangle, whole, bins);
   const TileGrid grid(whole);
-  sort_into_tiles(grid, bins);
-  CHECK(bins.first_entry.empty());
-  CHECK(bins.of_tile(0).size() == 20);
-  CHECK(bins.of_tile(grid.count() - 1).size() == 20);
+  TileBins bins;
+  bins.sort(primitives_of(soup, grid), grid);
+  CHECK(bins.of_tile(0).large_indices.size() == 20);
+  CHECK(bins.of_tile(grid.count() - 1).large_indices.size() == 20);
 
   // A tile on the slanting edge, drawn from all of them.
   const int left = 16384, top = 16384 - 64;
@@ -179,8 +204,7 @@ TEST_CASE("Too many entries are not sorted: every tile gets every triangle, and 
   const auto tile = std::make_unique<TileBuffer>();
   TileCounts counts;
   clear_tile(part, left, top, *tile);
-  const auto entries = bins.of_tile(0);
-  tile_raster(Isa::best)({bins.triangles.data(), entries.data(), entries.size()}, left, top, *tile, counts);
+  tile_raster(Isa::best).draw(primitives_of(bins.of_tile(0)), left, top, *tile, counts);
   store_tile(*tile, part, left, top, actual);
   CHECK(differences(actual, expected) == 0);
 }
