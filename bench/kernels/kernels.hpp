@@ -6,6 +6,10 @@ namespace velum_bench {
 
 /// Vertices from object space to the picture.
 void register_transform();
+/// Triangles of such vertices: facing, depth plane, what is too small to be seen left out.
+void register_set_up();
+/// Coverage and depth of such triangles, tile by tile.
+void register_tile_raster();
 /// Colour and depth of pixels whose triangles are known.
 void register_plain_rows();
 /// All stages together, through the public API.

@@ -5,6 +5,8 @@
 
 int main(int argc, char** argv) {
   velum_bench::register_transform();
+  velum_bench::register_set_up();
+  velum_bench::register_tile_raster();
   velum_bench::register_plain_rows();
   velum_bench::register_frame();
   benchmark::Initialize(&argc, argv);

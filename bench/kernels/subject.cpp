@@ -29,16 +29,21 @@ const std::vector<Subject>& subjects() {
   return all;
 }
 
-std::vector<ScreenTriangle> set_up_by_reference(const Subject& subject) {
-  ClipVertices vertices;
-  transform_vertices(subject.mesh.positions.span(), subject.clip_from_object, vertices);
+void assemble_and_set_up(const ClipVertices& vertices, const Subject& subject,
+                         std::vector<ScreenTriangle>& out) {
   Counters counters;
-  std::vector<ScreenTriangle> triangles;
   for (std::uint32_t i = 0; i < subject.mesh.triangles.size(); ++i) {
     const AssembledTriangle triangle =
         assemble(vertices, subject.mesh.triangles[i], false, Cull::none, counters);
-    if (triangle.fate == TriangleFate::accepted) set_up(triangle, i, subject.viewport, counters, triangles);
+    if (triangle.fate == TriangleFate::accepted) set_up(triangle, i, subject.viewport, counters, out);
   }
+}
+
+std::vector<ScreenTriangle> set_up_by_reference(const Subject& subject) {
+  ClipVertices vertices;
+  transform_vertices(subject.mesh.positions.span(), subject.clip_from_object, vertices);
+  std::vector<ScreenTriangle> triangles;
+  assemble_and_set_up(vertices, subject, triangles);
   return triangles;
 }
 

@@ -27,7 +27,10 @@ struct Subject {
 /// By the size of its triangles: "tiny" about a pixel, "small" a few, "large" some hundreds of them.
 const std::vector<Subject>& subjects();
 
-/// The subject after the plain stages: every triangle assembled and set up, by the reference.
+/// Appends every triangle of the subject, assembled and set up by the plain stages.
+void assemble_and_set_up(const velum::ClipVertices& vertices, const Subject& subject,
+                         std::vector<velum::ScreenTriangle>& out);
+/// The same from its positions.
 std::vector<velum::ScreenTriangle> set_up_by_reference(const Subject& subject);
 
 /// "best" left out: every instruction set that this machine has, the reference first.

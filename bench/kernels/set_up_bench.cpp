@@ -1,0 +1,85 @@
+#include <glm/gtc/type_ptr.hpp>
+#include <velum/pipeline/primitive_batch.hpp>
+#include <velum/visibility/screen_primitives.hpp>
+
+#include "kernels.hpp"
+#include "subject.hpp"
+
+namespace velum_bench {
+namespace {
+
+using namespace velum;
+
+void by_reference(benchmark::State& state, const Subject& subject) {
+  ClipVertices vertices;
+  transform_vertices(subject.mesh.positions.span(), subject.clip_from_object, vertices);
+  std::vector<ScreenTriangle> out;
+  for (auto _ : state) {
+    out.clear();
+    assemble_and_set_up(vertices, subject, out);
+    benchmark::ClobberMemory();
+  }
+}
+
+PlacedVertices placed_by_kernel(const Subject& subject, Isa isa) {
+  PlacedVertices vertices;
+  const std::size_t count = subject.mesh.positions.size();
+  vertices.resize(count);
+  transform_kernel(isa)({&subject.mesh.positions[0].x, count, glm::value_ptr(subject.clip_from_object),
+                         subject.viewport.width, subject.viewport.height, &vertices.clip.positions[0].x,
+                         vertices.clip.outcodes.data(), vertices.placed.data()});
+  return vertices;
+}
+
+SetUpWork work_of(const Subject& subject, const PlacedVertices& vertices) {
+  const Rect rect = subject.rect();
+  SetUpWork work{};
+  work.indices = &subject.mesh.triangles[0].x;
+  work.clip = &vertices.clip.positions[0].x;
+  work.placed = vertices.placed.data();
+  work.width = rect.width;
+  work.height = rect.height;
+  work.target_right = rect.right();
+  work.target_bottom = rect.bottom();
+  work.tile_columns = TileGrid(rect).columns;
+  set_culling(work, Cull::none, false);
+  return work;
+}
+
+void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
+  constexpr std::uint32_t batch = 4096;  // as many as stay in cache, like a frame's batches
+  const PlacedVertices vertices = placed_by_kernel(subject, isa);
+  ScreenPrimitives out;
+  out.make_room(batch);
+  std::vector<std::uint32_t> slow(batch);
+  SetUpWork work = work_of(subject, vertices);
+  work.large = out.large.data();
+  work.small = out.small.data();
+  work.fragments = out.fragments.data();
+  work.slow = slow.data();
+  const SetUpTriangles set_up = set_up_kernel(isa);
+  const auto count = static_cast<std::uint32_t>(subject.mesh.triangles.size());
+  Counters counters;
+  for (auto _ : state) {
+    for (work.first = 0; work.first < count; work.first = work.last) {
+      work.last = std::min(count, work.first + batch);
+      benchmark::DoNotOptimize(set_up(work, counters));
+    }
+    benchmark::ClobberMemory();
+  }
+}
+
+}  // namespace
+
+void register_set_up() {
+  register_kernel("set_up", [](benchmark::State& state, const Subject& subject, Isa isa) {
+    if (isa == Isa::reference) {
+      by_reference(state, subject);
+    } else {
+      by_kernel(state, subject, isa);
+    }
+    count_items(state, subject.mesh.triangles.size());
+  });
+}
+
+}  // namespace velum_bench
