@@ -65,8 +65,8 @@ void draw_bar(Svg& svg, const Scale& scale, const Row& row, double y, bool has_r
   svg.rectangle({left, y}, std::max(end - left, 1.0), thickness, row.agrees() ? bar_colour : fail_colour);
   const std::string label = short_figure(figure) + (has_ratios ? "×" : " ms");
   const bool is_inside = end - left > 70.0;
-  svg.text({is_inside ? end - 8.0 : end + 8.0, middle + 5.0}, label,
-           {15.0, is_inside ? Anchor::end : Anchor::start, is_inside ? "#ffffff" : "#222222", true});
+  svg.text({is_inside ? left + 10.0 : end + 8.0, middle + 5.0}, label,
+           {15.0, Anchor::start, is_inside ? "#ffffff" : "#222222", true});
   svg.text({left + bars + 16.0, middle + 5.0}, note_of(row), {13.0, Anchor::start, soft_colour});
   const auto goal = ratio_goal(row.scene);
   if (!goal || !has_ratios) return;

@@ -17,7 +17,8 @@ std::string contenders(const Options& options) {
                                                                                : options.measure.velum.isa)) +
       ")";
   if (options.measure.has_peer && has_llvmpipe()) text += " and llvmpipe";
-  return text + ", " + (threads == 1 ? "one thread" : std::to_string(threads) + " threads") + " each";
+  return text + ", " + (threads == 1 ? "one thread" : std::to_string(threads) + " threads") + " each" +
+         (options.is_cpu_time ? ", PROCESSOR TIME" : "");
 }
 
 std::string circumstances(const Options& options) {
@@ -32,7 +33,8 @@ void print_circumstances(const Options& options) {
     std::fprintf(stderr,
                  "velum-bench: built without OSMesa: llvmpipe is left out (install libosmesa6-dev)\n");
   if (load_average() > 0.7)
-    std::fprintf(stderr, "velum-bench: the machine is busy with something else: times are too long\n");
+    std::fprintf(stderr, "velum-bench: the machine is busy with something else: times are too long%s\n",
+                 options.is_cpu_time ? "" : " (--cpu-time is steadier)");
   std::fflush(stdout);
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <thread>
 
@@ -66,6 +67,9 @@ void add_measuring(CLI::App& program, Options& options) {
           "At most so long per scene and contender: fewer frames where they take longer, one at least")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  program.add_flag(
+      "--cpu-time", options.is_cpu_time,
+      "Processor time instead of what a person waits: steadier on a busy machine; one thread only");
   program.add_flag("--alone", options.is_alone, "velum only");
   program.add_flag("!--no-memory", options.measure.has_memory, "Do not measure memory");
 }
@@ -94,6 +98,12 @@ ParsedOptions parse_options(int argc, char** argv) {
   }
   if (options.measure.velum.threads == 0)
     options.measure.velum.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (options.is_cpu_time) options.measure.patience.clock = Clock::processor;
+  if (options.is_cpu_time && options.measure.velum.threads != 1 && !options.is_check) {
+    std::fprintf(stderr,
+                 "velum-bench: --cpu-time sums all threads up; it says something with --threads 1 only\n");
+    return {{}, 2};
+  }
   if (options.is_check) options.measure.velum.threads = 1;
   options.measure.has_peer = !options.is_alone;
   return {options, 0};

@@ -1,15 +1,21 @@
 #include "timing.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 namespace velum_bench {
 namespace {
 
-double milliseconds_of(const std::function<void()>& frame) {
-  const auto begin = std::chrono::steady_clock::now();
+double now(Clock clock) {
+  timespec time{};
+  clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+double milliseconds_of(const std::function<void()>& frame, Clock clock) {
+  const double begin = now(clock);
   frame();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return now(clock) - begin;
 }
 
 /// How many frames to take after a first one of so many milliseconds; 0: the first is all there is.
@@ -38,13 +44,14 @@ std::vector<Timing> time_in_turn(const std::vector<std::function<void()>>& conte
   std::vector<Course> courses;
   int rounds = 0;
   for (const auto& contender : contenders) {
-    const double first = milliseconds_of(contender);
+    const double first = milliseconds_of(contender, patience.clock);
     courses.push_back({first, frames_after(first, patience), {}});
     rounds = std::max(rounds, courses.back().frames);
   }
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {
-      if (round < courses[i].frames) courses[i].times.push_back(milliseconds_of(contenders[i]));
+      if (round < courses[i].frames)
+        courses[i].times.push_back(milliseconds_of(contenders[i], patience.clock));
     }
   }
   std::vector<Timing> timings;

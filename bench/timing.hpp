@@ -16,8 +16,15 @@ struct Timing {
   double spread() const { return three_quarters - quarter; }
 };
 
-/// When to stop.
+/// What is taken for time.
+enum class Clock {
+  wall,       ///< what a person waits
+  processor,  ///< what all threads of this process computed: steadier on a busy machine, for one thread only
+};
+
+/// How frames are timed, and when to stop.
 struct Patience {
+  Clock clock = Clock::wall;
   int frames = 21;
   /// Seconds for one contender: fewer frames where they would take longer. A first frame that takes longer
   /// than this is the only one, and is the median, too.
