@@ -82,7 +82,11 @@ Json work_of(const Counters& counters) {
           {"pixels_tested", counters.pixels_tested},
           {"spans", counters.spans},
           {"fragments", counters.fragments},
-          {"fragments_written", counters.fragments_written}};
+          {"fragments_written", counters.fragments_written},
+          {"rays", counters.rays},
+          {"ray_nodes", counters.ray_nodes},
+          {"ray_boxes", counters.ray_boxes},
+          {"ray_tests", counters.ray_tests}};
 }
 
 }  // namespace velum_app

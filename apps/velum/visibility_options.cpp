@@ -8,7 +8,8 @@ namespace {
 using namespace velum;
 
 const std::map<std::string, VisibilityMethod> method_names{{"zbuffer", VisibilityMethod::zbuffer},
-                                                           {"scanline", VisibilityMethod::scanline}};
+                                                           {"scanline", VisibilityMethod::scanline},
+                                                           {"raycast", VisibilityMethod::raycast}};
 const std::map<std::string, ZInterpolation> z_interpolation_names{
     {"plane", ZInterpolation::plane},
     {"edges", ZInterpolation::edges},
@@ -18,6 +19,12 @@ const std::map<std::string, DepthFormat> depth_format_names{{"reversed", DepthFo
                                                             {"24", DepthFormat::z24},
                                                             {"16", DepthFormat::z16},
                                                             {"8", DepthFormat::z8}};
+
+std::map<std::string, AcceleratorKind> accelerator_map() {
+  std::map<std::string, AcceleratorKind> names;
+  for (const AcceleratorName& name : accelerator_names()) names.emplace(name.name, name.kind);
+  return names;
+}
 
 std::map<std::string, Isa> isa_names() {
   std::map<std::string, Isa> names{{name_of(Isa::best), Isa::best}};
@@ -30,8 +37,13 @@ std::map<std::string, Isa> isa_names() {
 void VisibilityOptions::add_to(CLI::App& parser) {
   parser
       .add_option("--visibility", method,
-                  "How visibility is found; the picture is the same (default: zbuffer)")
+                  "How visibility is found: zbuffer (default) and scanline give the same picture, raycast\n"
+                  "the same but for pixels that velum agree explains")
       ->check(CLI::IsMember(&method_names));
+  parser
+      .add_option("--accelerator", accelerator,
+                  "What raycast finds triangles with; the picture is the same (default: bvh)")
+      ->check(CLI::IsMember(accelerator_map()));
   parser
       .add_option("--z-interpolation", z_interpolation,
                   "For teaching, with scanline: depth from the plane (default), edges, or incremental")
@@ -50,6 +62,7 @@ void VisibilityOptions::add_to(CLI::App& parser) {
 
 void VisibilityOptions::apply_to(RenderSettings& settings) const {
   settings.visibility = method_names.at(method);
+  settings.accelerator = accelerator_map().at(accelerator);
   settings.z_interpolation = z_interpolation_names.at(z_interpolation);
   settings.depth_format = depth_format_names.at(depth_format);
   settings.threads = threads;

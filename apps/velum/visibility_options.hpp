@@ -9,6 +9,7 @@ namespace velum_app {
 /// `--visibility` and what tells how it works, as given.
 struct VisibilityOptions {
   std::string method = "zbuffer";
+  std::string accelerator = "bvh";
   std::string z_interpolation = "plane";
   std::string depth_format = "reversed";
   std::string isa = "best";

@@ -32,6 +32,10 @@ Counters& Counters::operator+=(const Counters& other) {
   spans += other.spans;
   fragments += other.fragments;
   fragments_written += other.fragments_written;
+  rays += other.rays;
+  ray_nodes += other.ray_nodes;
+  ray_boxes += other.ray_boxes;
+  ray_tests += other.ray_tests;
   pixels_shaded += other.pixels_shaded;
   layers = layers > other.layers ? layers : other.layers;
   return *this;

@@ -37,6 +37,10 @@ struct Counters {
   std::uint64_t spans = 0;             ///< scanline: runs of covered centres on a row
   std::uint64_t fragments = 0;  ///< plain z-buffer, scanline: centres covered, compared with the buffer
   std::uint64_t fragments_written = 0;  ///< plain z-buffer, scanline: nearer than what the buffer held
+  std::uint64_t rays = 0;               ///< raycast: one per pixel
+  std::uint64_t ray_nodes = 0;          ///< raycast: nodes or cells that the rays went into
+  std::uint64_t ray_boxes = 0;          ///< raycast: intersections with boxes or dividing planes
+  std::uint64_t ray_tests = 0;          ///< raycast: intersections with triangles
 
   std::uint64_t pixels_shaded = 0;  ///< visible fragments shaded: one per pixel and layer
 

@@ -70,6 +70,10 @@ void check_method(const RenderSettings& settings) {
     throw Error(ErrorKind::usage, "only the scanline method interpolates depth along edges and spans",
                 "z-interpolation", "choose scanline for visibility, or plane for the interpolation");
   }
+  if (settings.depth_format != DepthFormat::reversed && settings.visibility == VisibilityMethod::raycast) {
+    throw Error(ErrorKind::usage, "ray casting compares distances along rays, not depths in a buffer",
+                "depth-format", "choose reversed, or another method for visibility");
+  }
 }
 
 void check_widths(const RenderSettings& settings) {

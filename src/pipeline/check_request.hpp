@@ -18,7 +18,7 @@ Rect requested_rect(const RenderSettings& settings);
 /// @throws Error (usage) if the pixel (of the whole picture, y down) is not in the rectangle
 void check_pixel(const Rect& rect, int x, int y);
 
-/// @throws Error (usage) for a depth interpolation that the visibility method does not have
+/// @throws Error (usage) for a depth interpolation or format that the visibility method does not have
 void check_method(const RenderSettings& settings);
 
 /// @throws Error (usage) for a line width or point size out of range

@@ -8,6 +8,7 @@ RasterCounts rasterize(std::span<const ScreenTriangle> triangles, const RasterTa
   switch (settings.visibility) {
     case VisibilityMethod::scanline:
       return rasterize_scanline(triangles, target, settings.z_interpolation, tables);
+    case VisibilityMethod::raycast:  // what it leaves to the raster: segments and points
     case VisibilityMethod::zbuffer:
       break;
   }

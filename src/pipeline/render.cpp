@@ -8,6 +8,7 @@
 #include "check_request.hpp"
 #include "line_stages.hpp"
 #include "memory_need.hpp"
+#include "ray_stage.hpp"
 #include "shade_stage.hpp"
 #include "stages.hpp"
 #include "tile_stage.hpp"
@@ -23,6 +24,7 @@ struct Renderer::Buffers {
   VisibilityBuffer visibility;
   WireframeBuffers wireframe;
   TileStageBuffers tiles;
+  RayStageBuffers rays;
   Executor executor;
   int threads = 1;  ///< as asked for; 0: all
   ExecutorKind executor_kind = ExecutorKind::tbb;
@@ -121,12 +123,27 @@ struct Frame {
            settings.depth_format == DepthFormat::reversed && lists == nullptr;
   }
 
+  /// Rays for the triangles; segments and points, which have no surface, by the raster.
+  void cast_scene(const std::function<void(double)>& progress) {
+    cast_visibility({scene, viewing, settings, rect, buffers.executor, sample}, progress, buffers.rays,
+                    buffers.visibility, counters);
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+      const Instance& instance = scene.instances()[i];
+      const Mesh& mesh = scene.meshes()[instance.mesh];
+      if (mesh.segments.empty() && mesh.points.empty()) continue;
+      transform_vertices(mesh.positions.span(), viewing.clip_from_object(instance.world_from_object),
+                         buffers.vertices);
+      draw_lines(mesh, scene.first_primitive(i));
+    }
+  }
+
   void draw_scene() {
     if (lists == nullptr) buffers.visibility.clear(rect.width, rect.height);
+    const std::function<void(double)> progress = [this](double drawn) {
+      report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
+    };
+    if (settings.visibility == VisibilityMethod::raycast && lists == nullptr) return cast_scene(progress);
     if (is_for_tiles()) {
-      const std::function<void(double)> progress = [this](double drawn) {
-        report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
-      };
       draw_in_tiles({scene, viewing, settings, rect, buffers.executor, progress, sample}, buffers.tiles,
                     buffers.visibility, counters);
       return;

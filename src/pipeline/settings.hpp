@@ -8,6 +8,7 @@
 #include "../base/isa.hpp"
 #include "../base/rect.hpp"
 #include "../image/colour.hpp"
+#include "../raycast/accelerator_kind.hpp"
 #include "../shading/shading.hpp"
 #include "../shading/surface_point.hpp"
 #include "../shading/texture_filter.hpp"
@@ -16,8 +17,9 @@
 
 namespace velum {
 
-/// How the question "which surface is seen?" is answered. All answers are the same to the bit.
-enum class VisibilityMethod { zbuffer, scanline };
+/// How the question "which surface is seen?" is answered. The raster methods' answers are the same to the
+/// bit; raycast asks the geometry itself and may differ at pixels that agree() explains.
+enum class VisibilityMethod { zbuffer, scanline, raycast };
 
 /// Which triangles are removed by the way they face.
 enum class Cull { none, back, front };
@@ -34,6 +36,7 @@ struct RenderSettings {
   int height = 600;
   Rgba8 background{0, 0, 0, 0};  ///< sRGB; default transparent
   VisibilityMethod visibility = VisibilityMethod::zbuffer;
+  AcceleratorKind accelerator = AcceleratorKind::bvh;  ///< of raycast; the bytes are the same
   /// For teaching; other than plane only with VisibilityMethod::scanline, and then the bits differ.
   ZInterpolation z_interpolation = ZInterpolation::plane;
   DepthFormat depth_format = DepthFormat::reversed;  ///< for teaching: other formats see less

@@ -8,6 +8,7 @@
 /// - clip_triangle (clipping/): the part inside the canonical view volume
 /// - set_up: divide, viewport, snapping; the depth plane of the whole triangle; a fan of screen triangles
 /// - rasterize (visibility/): coverage and depth → VisibilityBuffer, by the method of the settings
+/// - or cast_visibility (raycast/): one ray per pixel into the scene, past all the stages above
 /// - ShadeStage (shading/): each visible pixel once → Picture; translucent ones let the next layer through
 ///
 /// All spaces are named target_from_source.

@@ -3,22 +3,12 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "accelerator_kind.hpp"
 #include "search.hpp"
 
 namespace velum {
-
-/// The structures that find what a ray hits without looking at every triangle. All give the same answers.
-enum class AcceleratorKind { brute_force, bvh, kd_tree, grid, nested_grid, octree, bsp };
-
-/// Name and kind, as on the command line.
-struct AcceleratorName {
-  const char* name;
-  AcceleratorKind kind;
-};
-std::span<const AcceleratorName> accelerator_names();
 
 /// Triangles of a mesh, arranged so that rays find them. Built once; then any number of threads may ask.
 ///

@@ -1,6 +1,7 @@
 // Following a ray from cell to cell.
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "../base/elementary.hpp"
 #include "grid.hpp"
@@ -30,8 +31,14 @@ struct Walk {
     }
   }
 
+  /// Through the grid's own sides nothing is crossed: a ray along them stays in until its interval ends.
   void find_next(int axis) {
-    const int plane = cell[axis] + (ray.inverse[axis] > 0.0 ? 1 : 0);
+    const bool ascends = ray.inverse[axis] > 0.0;
+    if (cell[axis] == (ascends ? level.cells[axis] - 1 : 0)) {
+      next[static_cast<std::size_t>(axis)] = std::numeric_limits<double>::infinity();
+      return;
+    }
+    const int plane = cell[axis] + (ascends ? 1 : 0);
     next[static_cast<std::size_t>(axis)] =
         (level.plane(axis, plane) - ray.ray.origin[axis]) * ray.inverse[axis];
   }
@@ -42,13 +49,11 @@ struct Walk {
   }
   double leaves() const { return next[static_cast<std::size_t>(next_axis())]; }
 
-  /// @return false outside the grid
-  bool step() {
+  /// @pre leaves() is finite
+  void step() {
     const int axis = next_axis();
     cell[axis] += ray.inverse[axis] > 0.0 ? 1 : -1;
-    if (cell[axis] < 0 || cell[axis] >= level.cells[axis]) return false;
     find_next(axis);
-    return true;
   }
 };
 
@@ -77,12 +82,13 @@ void Grid::walk(const Level& level, Search& search, Mailboxes& mailboxes) const 
       intersect(search.ray.through(level.lower - pad, level.upper + pad), search.ray.range);
   if (inside.is_empty()) return;
   Walk<Level> walk(search.ray, level, inside.lower);
-  do {
+  for (;; walk.step()) {
     ++search.counters.nodes;
     look_into(cells_[level.index(walk.cell)], search, mailboxes);
     // A hit beyond this cell may have a nearer one before it, in a cell not yet looked into.
-    if (search.is_done() || walk.leaves() > std::min(search.limit(), inside.upper)) return;
-  } while (walk.step());
+    const bool is_last = walk.leaves() > std::min(search.limit(), inside.upper);
+    if (search.is_done() || is_last || walk.leaves() == std::numeric_limits<double>::infinity()) return;
+  }
 }
 
 void Grid::traverse(Search& search) const {

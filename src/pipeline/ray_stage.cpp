@@ -1,0 +1,142 @@
+#include "ray_stage.hpp"
+
+#include <algorithm>
+
+#include "../projection/facing.hpp"
+#include "../visibility/depth_plane.hpp"
+#include "stages.hpp"
+
+namespace velum {
+namespace {
+
+/// Side of the rectangles that threads take, pixels.
+constexpr int block_side = 32;
+
+/// A picture's rectangles, row by row.
+struct Blocks {
+  Rect rect;
+  int columns, rows;
+
+  explicit Blocks(const Rect& rect_in)
+      : rect(rect_in),
+        columns((rect_in.width + block_side - 1) / block_side),
+        rows((rect_in.height + block_side - 1) / block_side) {}
+
+  Rect at(int row, int column) const {
+    return intersect(rect,
+                     {rect.left + column * block_side, rect.top + row * block_side, block_side, block_side});
+  }
+};
+
+/// The depth of triangles at pixels; remembers the last one, which neighbours often share.
+class Depths {
+ public:
+  Depths(const RayView& view, const RayStageInput& input) : view_(view), input_(input) {}
+
+  float at(const SceneHit& hit, int x, int y) {
+    if (hit.primitive != primitive_) set_up(hit);
+    return plane_.at(x, y);
+  }
+
+ private:
+  void set_up(const SceneHit& hit) {
+    const std::array<glm::dvec4, 3> v = view_.clip_triangle(hit.instance, hit.triangle);
+    plane_ = depth_plane(v, homogeneous_determinant(v[0], v[1], v[2]),
+                         {input_.settings.width, input_.settings.height});
+    if (input_.sample != pixel_centre) move_depth(plane_, input_.sample);
+    primitive_ = hit.primitive;
+  }
+
+  const RayView& view_;
+  const RayStageInput& input_;
+  std::uint32_t primitive_ = no_primitive;
+  DepthPlane plane_;
+};
+
+void cast_block(const RayView& view, const RayStageInput& input, const Rect& block, VisibilityBuffer& buffer,
+                CastCounters& counters) {
+  Depths depths(view, input);
+  const double dx = 0.5 + static_cast<double>(input.sample.x) / subpixels;
+  const double dy = 0.5 + static_cast<double>(input.sample.y) / subpixels;
+  for (int y = block.top; y < block.bottom(); ++y) {
+    for (int x = block.left; x < block.right(); ++x) {
+      const SceneHit hit = view.at(x + dx, y + dy, counters);
+      if (!hit.is_hit()) continue;
+      buffer.reversed_depth.at(x - input.rect.left, y - input.rect.top) = depths.at(hit, x, y);
+      buffer.primitive.at(x - input.rect.left, y - input.rect.top) = hit.primitive;
+    }
+  }
+}
+
+void add(const CastCounters& cast, Counters& counters) {
+  counters.rays += cast.rays;
+  counters.ray_nodes += cast.nodes;
+  counters.ray_boxes += cast.boxes;
+  counters.ray_tests += cast.tests;
+}
+
+}  // namespace
+
+RayView::RayView(const Scene& scene, const SceneCaster& caster, const ViewingTransform& viewing,
+                 const RenderSettings& settings)
+    : scene_(scene),
+      caster_(caster),
+      cull_(settings.cull),
+      rays_(viewing.world_from_clip(), {settings.width, settings.height}) {
+  for (const Instance& instance : scene.instances()) {
+    clip_from_object_.push_back(viewing.clip_from_object(instance.world_from_object));
+  }
+}
+
+std::array<glm::dvec4, 3> RayView::clip_triangle(std::uint32_t instance, std::uint32_t triangle) const {
+  const Mesh& mesh = scene_.meshes()[scene_.instances()[instance].mesh];
+  const glm::uvec3& v = mesh.triangles[triangle];
+  const glm::dmat4& matrix = clip_from_object_[instance];
+  return {clip_position(matrix, mesh.positions[v.x]), clip_position(matrix, mesh.positions[v.y]),
+          clip_position(matrix, mesh.positions[v.z])};
+}
+
+bool RayView::is_culled(std::uint32_t instance, std::uint32_t triangle) const {
+  if (cull_ == Cull::none) return false;
+  const std::array<glm::dvec4, 3> v = clip_triangle(instance, triangle);
+  const bool mirrored = is_mirroring(scene_.instances()[instance].world_from_object);
+  const Facing facing = facing_of(homogeneous_determinant(v[0], v[1], v[2]), mirrored);
+  return facing == (cull_ == Cull::back ? Facing::back : Facing::front);
+}
+
+SceneHit RayView::at(double px, double py, CastCounters& counters) const {
+  const ViewRay view_ray = rays_.through(px, py);
+  SceneFilter filter;
+  if (cull_ != Cull::none) {
+    filter = {[](const void* self, std::uint32_t instance, std::uint32_t triangle) {
+                return !static_cast<const RayView*>(self)->is_culled(instance, triangle);
+              },
+              this};
+  }
+  return caster_.first_hit(view_ray.ray, view_ray.range, counters, filter);
+}
+
+void cast_visibility(const RayStageInput& input, const std::function<void(double)>& progress,
+                     RayStageBuffers& buffers, VisibilityBuffer& buffer, Counters& counters) {
+  const AcceleratorKind kind = input.settings.accelerator;
+  if (!buffers.caster || buffers.caster->kind() != kind || !buffers.caster->is_of(input.scene)) {
+    buffers.caster = std::make_unique<SceneCaster>(input.scene, kind);
+  }
+  const RayView view(input.scene, *buffers.caster, input.viewing, input.settings);
+  for (const Instance& instance : input.scene.instances()) {
+    ++counters.instances;
+    counters.triangles += input.scene.meshes()[instance.mesh].triangles.size();
+  }
+  const Blocks blocks(input.rect);
+  std::vector<CastCounters> of_worker(static_cast<std::size_t>(input.executor.threads()));
+  for (int row = 0; row < blocks.rows; ++row) {
+    input.executor.for_each(static_cast<std::size_t>(blocks.columns), [&](std::size_t column, int worker) {
+      cast_block(view, input, blocks.at(row, static_cast<int>(column)), buffer,
+                 of_worker[static_cast<std::size_t>(worker)]);
+    });
+    progress(static_cast<double>(row + 1) / blocks.rows);
+  }
+  for (const CastCounters& cast : of_worker) add(cast, counters);
+}
+
+}  // namespace velum
