@@ -29,8 +29,8 @@ struct TransformWork {
   const double* clip_from_object;  ///< 16, column by column
   int width;                       ///< of the whole picture, pixels
   int height;
-  double* clip;            ///< out: x, y, z, w per vertex
-  std::uint8_t* outcodes;  ///< out
+  double* clip;            ///< out: x, y, z, w per vertex; nullptr: not wanted
+  std::uint8_t* outcodes;  ///< out; nullptr: not wanted
   PlacedVertex* placed;    ///< out
 };
 using TransformVertices = void (*)(const TransformWork& work);
@@ -41,9 +41,10 @@ struct SetUpWork {
   std::uint32_t last;
   std::uint32_t first_primitive;    ///< id of triangle 0 …
   const std::uint32_t* primitives;  ///< … or, if not null, the ids of the triangles
-  const double* clip;               ///< of the whole mesh, as TransformWork gave it
-  const PlacedVertex* placed;
-  int width;  ///< of the whole picture, pixels
+  const float* positions;           ///< of the whole mesh: x, y, z per vertex, object space
+  const double* clip_from_object;   ///< 16, column by column
+  const PlacedVertex* placed;       ///< of the whole mesh, as TransformWork gave it
+  int width;                        ///< of the whole picture, pixels
   int height;
   int target_left, target_top, target_right, target_bottom;  ///< the pixels wanted
   int tile_columns;                                          ///< see TileGrid

@@ -71,22 +71,35 @@ void transform_vertices(std::span<const glm::vec3> positions, const glm::dmat4& 
   }
 }
 
-AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indices, bool mirrored, Cull cull,
-                           Counters& counters) {
+namespace {
+
+AssembledTriangle assemble(const std::array<glm::dvec4, 3>& vertices, const std::array<Outcode, 3>& outcodes,
+                           bool mirrored, Cull cull, Counters& counters) {
+  const unsigned a = outcodes[0], b = outcodes[1], c = outcodes[2];
   AssembledTriangle triangle;
-  triangle.vertices = {vertices.positions[indices.x], vertices.positions[indices.y],
-                       vertices.positions[indices.z]};
-  const unsigned a = vertices.outcodes[indices.x];
-  const unsigned b = vertices.outcodes[indices.y];
-  const unsigned c = vertices.outcodes[indices.z];
+  triangle.vertices = vertices;
   triangle.all_outside = static_cast<Outcode>(a & b & c);
   triangle.some_outside = static_cast<Outcode>(a | b | c);
-  triangle.determinant =
-      homogeneous_determinant(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]);
+  triangle.determinant = homogeneous_determinant(vertices[0], vertices[1], vertices[2]);
   triangle.facing = facing_of(triangle.determinant, mirrored);
   ++counters.triangles;
   triangle.fate = fate_of(triangle, cull, counters);
   return triangle;
+}
+
+}  // namespace
+
+AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indices, bool mirrored, Cull cull,
+                           Counters& counters) {
+  const auto& [positions, outcodes] = vertices;
+  return assemble({positions[indices.x], positions[indices.y], positions[indices.z]},
+                  {outcodes[indices.x], outcodes[indices.y], outcodes[indices.z]}, mirrored, cull, counters);
+}
+
+AssembledTriangle assemble(const std::array<glm::dvec4, 3>& vertices, bool mirrored, Cull cull,
+                           Counters& counters) {
+  return assemble(vertices, {outcode(vertices[0]), outcode(vertices[1]), outcode(vertices[2])}, mirrored,
+                  cull, counters);
 }
 
 void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Viewport& viewport,

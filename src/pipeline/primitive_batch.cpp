@@ -1,5 +1,7 @@
 #include "primitive_batch.hpp"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include "line_stages.hpp"
 
 namespace velum {
@@ -25,7 +27,8 @@ struct RunSetUp {
     work.first = run.first;
     work.last = run.last;
     work.first_primitive = first_primitive;
-    work.clip = &vertices.clip.positions[0].x;
+    work.positions = &mesh.positions[0].x;
+    work.clip_from_object = glm::value_ptr(vertices.clip_from_object);
     work.placed = vertices.placed.data();
     work.width = viewport.width;
     work.height = viewport.height;
@@ -56,13 +59,20 @@ struct RunSetUp {
     set_up_slow_triangles(result.slow);
   }
 
+  std::array<glm::dvec4, 3> clip_triangle_of(const glm::uvec3& indices) const {
+    const auto vertex = [&](std::uint32_t i) {
+      return clip_position(vertices.clip_from_object, mesh.positions[i]);
+    };
+    return {vertex(indices.x), vertex(indices.y), vertex(indices.z)};
+  }
+
   /// Those that need clipping, by the plain stages.
   void set_up_slow_triangles(std::size_t count) {
     const bool mirrored = is_mirroring(instance.world_from_object);
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t index = scratch.slow[i];
       const AssembledTriangle triangle =
-          assemble(vertices.clip, mesh.triangles[index], mirrored, input.settings.cull, counters);
+          assemble(clip_triangle_of(mesh.triangles[index]), mirrored, input.settings.cull, counters);
       if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
         set_up(triangle, first_primitive + index, viewport, counters, scratch.screen_triangles);
       }
@@ -96,12 +106,6 @@ struct RunSetUp {
 };
 
 }  // namespace
-
-void PlacedVertices::resize(std::size_t count) {
-  clip.positions.resize(count);
-  clip.outcodes.resize(count);
-  placed.resize(count);
-}
 
 void set_culling(SetUpWork& work, Cull cull, bool mirrored) {
   work.is_back_positive = mirrored;

@@ -11,12 +11,11 @@
 
 namespace velum {
 
-/// A mesh's vertices in clip space and on the picture.
+/// An instance's vertices.
 struct PlacedVertices {
-  ClipVertices clip;
+  glm::dmat4 clip_from_object;
   std::vector<PlacedVertex> placed;
-
-  void resize(std::size_t count);
+  ClipVertices clip;  ///< only where the mesh has segments or points: the others' are formed when needed
 };
 
 /// Neighbouring primitives of one instance, all of one kind.

@@ -6,6 +6,8 @@
 #define VELUM_SET_UP_CHUNK_INL
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "set_up_depth-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,12 +34,18 @@ struct ChunkList {
   std::size_t count = 0;
 };
 
+/// Vertices stand anywhere in memory: those of as many triangles on are asked for beforehand.
+constexpr std::uint32_t fetch_ahead = 24;
+
 /// Fetches triangles, beginning with `next`, until the chunk is full; the numbers of those with a vertex that
 /// has no place go to work.slow.
 HWY_INLINE void fetch(const SetUpWork& work, std::uint32_t& next, Chunk& out, std::size_t& slow) {
   std::size_t count = 0;
   for (; next < work.last && count < chunk_size; ++next) {
     const std::uint32_t* const indices = work.indices + 3 * static_cast<std::size_t>(next);
+    if (next + fetch_ahead < work.last) {
+      for (int v = 0; v < 3; ++v) hwy::Prefetch(work.placed + indices[3 * fetch_ahead + v]);
+    }
     const PlacedVertex a = work.placed[indices[0]];
     const PlacedVertex b = work.placed[indices[1]];
     const PlacedVertex c = work.placed[indices[2]];
@@ -51,18 +59,16 @@ HWY_INLINE void fetch(const SetUpWork& work, std::uint32_t& next, Chunk& out, st
   out.count = count;
 }
 
-/// Copies the clip-space vertices of the listed triangles.
+/// Copies the vertices of the listed triangles.
 HWY_INLINE void fetch_vertices(const SetUpWork& work, const Chunk& chunk, const ChunkList& list,
                                FetchedVertices& out) {
-  using Half = hn::CappedTag<double, 4>;
-  constexpr Half d;
   for (std::size_t i = 0; i < list.count; ++i) {
-    const std::uint32_t triangle = chunk.triangle[list.place[i]];
+    const std::size_t triangle = chunk.triangle[list.place[i]];
     for (std::size_t v = 0; v < 3; ++v) {
-      const std::size_t index = work.indices[3 * static_cast<std::size_t>(triangle) + v];
-      for (std::size_t k = 0; k < 4; k += hn::Lanes(d)) {
-        hn::StoreU(hn::LoadU(d, work.clip + 4 * index + k), d, out.clip[v] + 4 * i + k);
-      }
+      const float* const position =
+          work.positions + 3 * static_cast<std::size_t>(work.indices[3 * triangle + v]);
+      hwy::CopyBytes<8>(position, out.position[v] + 4 * i);
+      hwy::CopyBytes<4>(position + 2, out.position[v] + 4 * i + 2);
     }
   }
 }

@@ -6,24 +6,13 @@
 #define VELUM_SET_UP_DEPTH_INL
 #endif
 
-#include <hwy/highway.h>
-
+#include "clip_position-inl.hpp"
 #include "geometry_kernels.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace velum {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = hn::CappedTag<double, 8>;
-using NarrowFloats = hn::Rebind<float, Doubles>;
-using NarrowInts = hn::Rebind<std::int32_t, Doubles>;
-using Double = hn::Vec<Doubles>;
-using Mask = hn::Mask<Doubles>;
-constexpr Doubles doubles;
-constexpr NarrowFloats narrow_floats;
-constexpr NarrowInts narrow_ints;
 
 /// Triangles are set up this many at a time, pass after pass over arrays that stay in the nearest cache.
 constexpr std::size_t chunk_size = 128;
@@ -53,11 +42,12 @@ struct Vertex {
   Vector3 position;
   Double r;
 };
-/// @param clip  x, y, z, w of as many vertices as a vector has lanes
-HWY_INLINE Vertex load_vertices(const double* clip) {
-  Double x, y, z, w;
-  hn::LoadInterleaved4(doubles, clip, x, y, z, w);
-  return {{x, y, w}, hn::Sub(w, z)};
+/// @param positions  x, y, z and anything, of as many vertices as a vector has lanes; object space
+HWY_INLINE Vertex load_vertices(const SetUpWork& work, const float* positions) {
+  hn::Vec<NarrowFloats> px, py, pz, unused;
+  hn::LoadInterleaved4(narrow_floats, positions, px, py, pz, unused);
+  const ClipVector v = clip_position(work.clip_from_object, px, py, pz);
+  return {{v.x, v.y, v.w}, hn::Sub(v.w, v.z)};
 }
 
 /// Facing and depth plane: homogeneous_determinant() and plane_in_ndc(), operation for operation.
@@ -162,17 +152,22 @@ HWY_INLINE void set_up_depth(const SetUpWork& work, const Vertex (&v)[3], const 
   hn::StoreU(hn::DemoteTo(narrow_ints, hn::IfThenElseZero(is_sloped, y_ref)), narrow_ints, out.y_ref + first);
 }
 
-/// Clip-space vertices fetched for triangles: x, y, z, w, vertex by vertex.
+/// Vertices fetched for triangles: x, y, z and room for one more, vertex by vertex; object space. They are
+/// transformed once more rather than kept in clip space, where they take 32 bytes and not 12: memory is what
+/// is short.
 struct FetchedVertices {
-  HWY_ALIGN double clip[3][4 * chunk_room];
+  HWY_ALIGN float position[3][4 * chunk_room];
+
+  HWY_INLINE Vertex load(const SetUpWork& work, int vertex, std::size_t first) const {
+    return load_vertices(work, position[vertex] + 4 * first);
+  }
 };
 
 /// The depth planes of the first `count` triangles fetched.
 HWY_INLINE void set_up_depths(const SetUpWork& work, const FetchedVertices& vertices, std::size_t count,
                               PlaneArrays& out) {
   for (std::size_t i = 0; i < count; i += hn::Lanes(doubles)) {
-    const Vertex v[3] = {load_vertices(vertices.clip[0] + 4 * i), load_vertices(vertices.clip[1] + 4 * i),
-                         load_vertices(vertices.clip[2] + 4 * i)};
+    const Vertex v[3] = {vertices.load(work, 0, i), vertices.load(work, 1, i), vertices.load(work, 2, i)};
     set_up_depth(work, v, plane_of(v[0], v[1], v[2]), i, out);
   }
 }

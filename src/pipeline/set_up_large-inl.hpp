@@ -95,9 +95,8 @@ HWY_INLINE void set_up_large_lanes(const SetUpWork& work, const Chunk& chunk, co
     for (std::size_t i = 0; i < count; ++i) coordinate[i] = chunk.y[v][list.place[first + i]];
     s.y[v] = hn::Load(doubles, coordinate);
   }
-  const Vertex v[3] = {load_vertices(vertices.clip[0] + 4 * first),
-                       load_vertices(vertices.clip[1] + 4 * first),
-                       load_vertices(vertices.clip[2] + 4 * first)};
+  const Vertex v[3] = {vertices.load(work, 0, first), vertices.load(work, 1, first),
+                       vertices.load(work, 2, first)};
   const Plane plane = plane_of(v[0], v[1], v[2]);
   const Double area = doubled_area(s);
   const std::uint32_t kept = count_facing(work, plane.determinant, area, (1u << count) - 1u, counters);

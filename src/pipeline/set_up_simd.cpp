@@ -30,7 +30,7 @@ struct Passes {
 void clear(Passes& passes) {
   for (std::size_t v = 0; v < 3; ++v) {
     for (std::size_t i = 0; i < chunk_room; ++i) passes.chunk.x[v][i] = passes.chunk.y[v][i] = 0;
-    for (std::size_t i = 0; i < 4 * chunk_room; ++i) passes.vertices.clip[v][i] = 1.0;
+    for (std::size_t i = 0; i < 4 * chunk_room; ++i) passes.vertices.position[v][i] = 0.0f;
   }
 }
 

@@ -70,6 +70,10 @@ struct AssembledTriangle {
 AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indices, bool mirrored, Cull cull,
                            Counters& counters);
 
+/// The same for a triangle whose vertices are at hand.
+AssembledTriangle assemble(const std::array<glm::dvec4, 3>& vertices, bool mirrored, Cull cull,
+                           Counters& counters);
+
 /// Appends the triangle's pieces (one, or a fan where it was cut) to `out`.
 void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Viewport& viewport,
             Counters& counters, std::vector<ScreenTriangle>& out);

@@ -14,7 +14,7 @@ constexpr std::uint32_t smallest_batch = 4096;
 constexpr std::uint32_t tiles_per_primitive = 4;
 /// Primitives per round: bounds the memory for those that wait to be drawn.
 constexpr std::uint64_t round_size = std::uint64_t{1} << 19;
-/// Vertices per round, beyond which no further instance joins it: 41 bytes each.
+/// Vertices per round, beyond which no further instance joins it: 8 bytes each.
 constexpr std::uint64_t round_vertices = std::uint64_t{1} << 21;
 /// Vertices transformed in one go.
 constexpr std::size_t vertex_chunk = 8192;
@@ -61,7 +61,7 @@ class TileStage {
     vertices_in_round_ += mesh.positions.size();
     const std::uint32_t vertices = instances_in_round_++;
     if (buffers_.vertices.size() < instances_in_round_) buffers_.vertices.resize(instances_in_round_);
-    transform(instance, mesh.positions.span(), buffers_.vertices[vertices]);
+    transform(instance, mesh, buffers_.vertices[vertices]);
     add_runs({instance, PrimitiveKind::triangle, vertices}, mesh.triangles.size());
     add_runs({instance, PrimitiveKind::segment, vertices}, mesh.segments.size());
     add_runs({instance, PrimitiveKind::point, vertices}, mesh.points.size());
@@ -93,16 +93,20 @@ class TileStage {
     return batch;
   }
 
-  void transform(std::uint32_t instance, std::span<const glm::vec3> positions, PlacedVertices& out) {
-    const glm::dmat4 clip_from_object =
+  void transform(std::uint32_t instance, const Mesh& mesh, PlacedVertices& out) {
+    out.clip_from_object =
         input_.viewing.clip_from_object(input_.scene.instances()[instance].world_from_object);
-    out.resize(positions.size());
+    const std::span<const glm::vec3> positions = mesh.positions.span();
+    out.placed.resize(positions.size());
     input_.executor.for_each((positions.size() + vertex_chunk - 1) / vertex_chunk, [&](std::size_t i, int) {
       const std::size_t first = i * vertex_chunk;
       transform_({&positions[first].x, std::min(vertex_chunk, positions.size() - first),
-                  glm::value_ptr(clip_from_object), input_.settings.width, input_.settings.height,
-                  &out.clip.positions[first].x, &out.clip.outcodes[first], &out.placed[first]});
+                  glm::value_ptr(out.clip_from_object), input_.settings.width, input_.settings.height,
+                  nullptr, nullptr, &out.placed[first]});
     });
+    if (!mesh.segments.empty() || !mesh.points.empty()) {
+      transform_vertices(positions, out.clip_from_object, out.clip);
+    }
     if (input_.sample != pixel_centre) move_vertices(out.placed);
   }
 

@@ -7,31 +7,14 @@
 #include <hwy/highway.h>
 
 #include "../base/simd_dispatch.hpp"
+#include "clip_position-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace velum {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = hn::CappedTag<double, 8>;
-using Floats = hn::Rebind<float, Doubles>;
-using Ints = hn::Rebind<std::int32_t, Doubles>;
-using Double = hn::Vec<Doubles>;
-constexpr Doubles doubles;
-constexpr Floats floats;
-constexpr Ints ints;
 constexpr std::size_t most_lanes = 8;
-
-struct ClipVector {
-  Double x, y, z, w;
-};
-
-/// Component `row` of ((m0·x + m1·y) + m2·z) + m3.
-HWY_INLINE Double row_of(const double* m, int row, Double x, Double y, Double z) {
-  const Double sum = hn::Add(hn::Mul(hn::Set(doubles, m[row]), x), hn::Mul(hn::Set(doubles, m[4 + row]), y));
-  return hn::Add(hn::Add(sum, hn::Mul(hn::Set(doubles, m[8 + row]), z)), hn::Set(doubles, m[12 + row]));
-}
 
 /// Adds bit `bit` to the codes of the lanes whose value is negative or NaN.
 HWY_INLINE Double with_bit(Double codes, int bit, Double value) {
@@ -52,9 +35,9 @@ HWY_INLINE Double outcodes_of(const ClipVector& v) {
 }
 
 /// floor(pixel · 256 + 0.5)
-HWY_INLINE hn::Vec<Ints> snapped(Double pixel) {
+HWY_INLINE hn::Vec<NarrowInts> snapped(Double pixel) {
   const Double scaled = hn::Add(hn::Mul(pixel, hn::Set(doubles, 256.0)), hn::Set(doubles, 0.5));
-  return hn::DemoteTo(ints, hn::Floor(scaled));
+  return hn::DemoteTo(narrow_ints, hn::Floor(scaled));
 }
 
 HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double codes, PlacedVertex* out) {
@@ -69,8 +52,8 @@ HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double cod
   HWY_ALIGN std::int32_t xs[most_lanes];
   HWY_ALIGN std::int32_t ys[most_lanes];
   HWY_ALIGN double is_inside[most_lanes];
-  hn::Store(snapped(x_or_none), ints, xs);
-  hn::Store(snapped(y_or_none), ints, ys);
+  hn::Store(snapped(x_or_none), narrow_ints, xs);
+  hn::Store(snapped(y_or_none), narrow_ints, ys);
   hn::Store(hn::IfThenElseZero(inside, one), doubles, is_inside);
   for (std::size_t i = 0; i < hn::Lanes(doubles); ++i) {
     out[i] = {is_inside[i] != 0.0 ? xs[i] : not_snapped, ys[i]};
@@ -79,19 +62,16 @@ HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double cod
 
 HWY_INLINE void transform_lanes(const TransformWork& work, const float* positions, double* clip,
                                 std::uint8_t* outcodes, PlacedVertex* placed) {
-  hn::Vec<Floats> px, py, pz;
-  hn::LoadInterleaved3(floats, positions, px, py, pz);
-  const Double x = hn::PromoteTo(doubles, px);
-  const Double y = hn::PromoteTo(doubles, py);
-  const Double z = hn::PromoteTo(doubles, pz);
-  const double* const m = work.clip_from_object;
-  const ClipVector v{row_of(m, 0, x, y, z), row_of(m, 1, x, y, z), row_of(m, 2, x, y, z),
-                     row_of(m, 3, x, y, z)};
-  hn::StoreInterleaved4(v.x, v.y, v.z, v.w, doubles, clip);
+  hn::Vec<NarrowFloats> px, py, pz;
+  hn::LoadInterleaved3(narrow_floats, positions, px, py, pz);
+  const ClipVector v = clip_position(work.clip_from_object, px, py, pz);
+  if (clip != nullptr) hn::StoreInterleaved4(v.x, v.y, v.z, v.w, doubles, clip);
   const Double codes = outcodes_of(v);
-  HWY_ALIGN std::int32_t code[most_lanes];
-  hn::Store(hn::DemoteTo(ints, codes), ints, code);
-  for (std::size_t i = 0; i < hn::Lanes(doubles); ++i) outcodes[i] = static_cast<std::uint8_t>(code[i]);
+  if (outcodes != nullptr) {
+    HWY_ALIGN std::int32_t code[most_lanes];
+    hn::Store(hn::DemoteTo(narrow_ints, codes), narrow_ints, code);
+    for (std::size_t i = 0; i < hn::Lanes(doubles); ++i) outcodes[i] = static_cast<std::uint8_t>(code[i]);
+  }
   place(work, v, codes, placed);
 }
 
@@ -101,7 +81,8 @@ void transform_positions(const TransformWork& work) {
   const std::size_t lanes = hn::Lanes(doubles);
   std::size_t i = 0;
   for (; i + lanes <= work.count; i += lanes) {
-    transform_lanes(work, work.positions + 3 * i, work.clip + 4 * i, work.outcodes + i, work.placed + i);
+    transform_lanes(work, work.positions + 3 * i, work.clip == nullptr ? nullptr : work.clip + 4 * i,
+                    work.outcodes == nullptr ? nullptr : work.outcodes + i, work.placed + i);
   }
   if (i == work.count) return;
   // The rest, in memory where whole vectors fit.
@@ -112,8 +93,8 @@ void transform_positions(const TransformWork& work) {
   const std::size_t rest = work.count - i;
   for (std::size_t k = 0; k < 3 * rest; ++k) positions[k] = work.positions[3 * i + k];
   transform_lanes(work, positions, clip, outcodes, placed);
-  for (std::size_t k = 0; k < 4 * rest; ++k) work.clip[4 * i + k] = clip[k];
-  for (std::size_t k = 0; k < rest; ++k) work.outcodes[i + k] = outcodes[k];
+  for (std::size_t k = 0; work.clip != nullptr && k < 4 * rest; ++k) work.clip[4 * i + k] = clip[k];
+  for (std::size_t k = 0; work.outcodes != nullptr && k < rest; ++k) work.outcodes[i + k] = outcodes[k];
   for (std::size_t k = 0; k < rest; ++k) work.placed[i + k] = placed[k];
 }
 

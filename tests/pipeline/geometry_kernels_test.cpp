@@ -101,6 +101,8 @@ struct Expected {
 };
 
 struct Case {
+  const std::vector<glm::vec3>& positions;
+  const glm::dmat4& matrix;
   const ClipVertices& vertices;
   const std::vector<PlacedVertex>& placed;
   const std::vector<glm::uvec3>& triangles;
@@ -161,7 +163,8 @@ void check_set_up(const Case& c, Isa isa) {
   work.indices = &c.triangles[0].x;
   work.last = count;
   work.first_primitive = 100;
-  work.clip = &c.vertices.positions[0].x;
+  work.positions = &c.positions[0].x;
+  work.clip_from_object = glm::value_ptr(c.matrix);
   work.placed = c.placed.data();
   work.width = c.viewport.width;
   work.height = c.viewport.height;
@@ -224,8 +227,9 @@ void check_random(Random& random, double size) {
     check_vertices(positions, matrix, viewport, vertices);
     for (const Cull cull : {Cull::none, Cull::back, Cull::front}) {
       for (const bool mirrored : {false, true}) {
-        check_set_up(
-            {reference, vertices.placed, triangles, viewport, mirrored ? part : whole, mirrored, cull}, isa);
+        check_set_up({positions, matrix, reference, vertices.placed, triangles, viewport,
+                      mirrored ? part : whole, mirrored, cull},
+                     isa);
       }
     }
   }
