@@ -157,8 +157,15 @@ void print_summary(const std::vector<Output>& outputs, const Picture& picture, c
   (stdout_is_taken ? std::cerr : std::cout)
       << (path == "-" ? "standard output" : path.string()) << ": " << picture.colour.width() << 'x'
       << picture.colour.height() << ", " << projection.name << ", "
-      << primitives_text(c.triangles, c.segments, c.points) << ", " << percent_text(picture.coverage())
-      << " covered\n";
+      << primitives_text(c.triangles + c.hierarchy.triangles_left_out, c.segments, c.points) << ", "
+      << percent_text(picture.coverage()) << " covered\n";
+}
+
+/// What happened to the triangles; what the hierarchical method left out is looked at after all.
+Counters fates(const Scene& scene, const Camera& camera, RenderSettings settings, const Picture& picture) {
+  if (settings.visibility != VisibilityMethod::hierarchical) return picture.counters;
+  settings.visibility = VisibilityMethod::zbuffer;
+  return render(scene, camera, settings).counters;
 }
 
 int run(const RenderOptions& o) {
@@ -182,8 +189,8 @@ int run(const RenderOptions& o) {
     print_summary(outputs, picture, view.projection);
   }
   if (picture.coverage() > 0.0) return exit_ok;
-  std::cerr << "velum: the picture is blank: " << blank_reason(picture.counters, bounds, camera, settings)
-            << '\n';
+  std::cerr << "velum: the picture is blank: "
+            << blank_reason(fates(scene, camera, settings, picture), bounds, camera, settings) << '\n';
   return exit_blank;
 }
 

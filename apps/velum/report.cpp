@@ -61,6 +61,29 @@ Json box_json(const Rect& box) {
   return Json::array({box.left, box.top, box.right(), box.bottom()});
 }
 
+Json by_level(const std::uint64_t (&counts)[most_pyramid_levels]) {
+  Json json = Json::array();
+  int levels = most_pyramid_levels;
+  while (levels > 0 && counts[levels - 1] == 0) --levels;
+  for (int i = 0; i < levels; ++i) json.push_back(counts[i]);
+  return json;
+}
+
+Json json_of(const HierarchyCounters& c) {
+  return {{"batches", c.batches},
+          {"nodes_visited", c.nodes_visited},
+          {"nodes_outside", c.nodes_outside},
+          {"nodes_hidden", c.nodes_hidden},
+          {"nodes_hidden_at", by_level(c.nodes_hidden_at)},
+          {"clusters_away", c.clusters_away},
+          {"clusters_drawn", c.clusters_drawn},
+          {"clusters_remembered", c.clusters_remembered},
+          {"triangles_left_out", c.triangles_left_out},
+          {"polygons_tested", c.polygons_tested},
+          {"polygons_hidden", c.polygons_hidden},
+          {"polygons_hidden_at", by_level(c.polygons_hidden_at)}};
+}
+
 }  // namespace
 
 Json report_of(const Picture& picture, const Camera& camera, const RenderSettings& settings) {
@@ -86,7 +109,8 @@ Json work_of(const Counters& counters) {
           {"rays", counters.rays},
           {"ray_nodes", counters.ray_nodes},
           {"ray_boxes", counters.ray_boxes},
-          {"ray_tests", counters.ray_tests}};
+          {"ray_tests", counters.ray_tests},
+          {"hierarchy", json_of(counters.hierarchy)}};
 }
 
 }  // namespace velum_app

@@ -9,7 +9,10 @@ using namespace velum;
 
 const std::map<std::string, VisibilityMethod> method_names{{"zbuffer", VisibilityMethod::zbuffer},
                                                            {"scanline", VisibilityMethod::scanline},
-                                                           {"raycast", VisibilityMethod::raycast}};
+                                                           {"raycast", VisibilityMethod::raycast},
+                                                           {"hierarchical", VisibilityMethod::hierarchical}};
+const std::map<std::string, HierarchyUse> hierarchy_names{
+    {"both", HierarchyUse::both}, {"octree", HierarchyUse::octree}, {"polygons", HierarchyUse::polygons}};
 const std::map<std::string, ZInterpolation> z_interpolation_names{
     {"plane", ZInterpolation::plane},
     {"edges", ZInterpolation::edges},
@@ -45,6 +48,10 @@ void VisibilityOptions::add_to(CLI::App& parser) {
                   "What raycast finds triangles with; the picture is the same (default: bvh)")
       ->check(CLI::IsMember(accelerator_map()));
   parser
+      .add_option("--hierarchical", hierarchy,
+                  "With hierarchical: what the z-pyramid is asked about: octree, polygons, or both (default)")
+      ->check(CLI::IsMember(&hierarchy_names));
+  parser
       .add_option("--z-interpolation", z_interpolation,
                   "For teaching, with scanline: depth from the plane (default), edges, or incremental")
       ->check(CLI::IsMember(&z_interpolation_names));
@@ -63,6 +70,7 @@ void VisibilityOptions::add_to(CLI::App& parser) {
 void VisibilityOptions::apply_to(RenderSettings& settings) const {
   settings.visibility = method_names.at(method);
   settings.accelerator = accelerator_map().at(accelerator);
+  settings.hierarchy.use = hierarchy_names.at(hierarchy);
   settings.z_interpolation = z_interpolation_names.at(z_interpolation);
   settings.depth_format = depth_format_names.at(depth_format);
   settings.threads = threads;

@@ -10,6 +10,7 @@ namespace velum_app {
 struct VisibilityOptions {
   std::string method = "zbuffer";
   std::string accelerator = "bvh";
+  std::string hierarchy = "both";
   std::string z_interpolation = "plane";
   std::string depth_format = "reversed";
   std::string isa = "best";

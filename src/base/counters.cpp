@@ -2,6 +2,22 @@
 
 namespace velum {
 
+HierarchyCounters& HierarchyCounters::operator+=(const HierarchyCounters& other) {
+  batches += other.batches;
+  nodes_visited += other.nodes_visited;
+  nodes_outside += other.nodes_outside;
+  nodes_hidden += other.nodes_hidden;
+  clusters_away += other.clusters_away;
+  clusters_drawn += other.clusters_drawn;
+  clusters_remembered += other.clusters_remembered;
+  triangles_left_out += other.triangles_left_out;
+  polygons_tested += other.polygons_tested;
+  polygons_hidden += other.polygons_hidden;
+  for (int i = 0; i < most_pyramid_levels; ++i) nodes_hidden_at[i] += other.nodes_hidden_at[i];
+  for (int i = 0; i < most_pyramid_levels; ++i) polygons_hidden_at[i] += other.polygons_hidden_at[i];
+  return *this;
+}
+
 Counters& Counters::operator+=(const Counters& other) {
   instances += other.instances;
   vertices += other.vertices;
@@ -36,6 +52,7 @@ Counters& Counters::operator+=(const Counters& other) {
   ray_nodes += other.ray_nodes;
   ray_boxes += other.ray_boxes;
   ray_tests += other.ray_tests;
+  hierarchy += other.hierarchy;
   pixels_shaded += other.pixels_shaded;
   layers = layers > other.layers ? layers : other.layers;
   return *this;

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "hierarchy_counters.hpp"
+
 namespace velum {
 
 /// What happened while a picture was made. Deterministic for given settings, whatever the thread count.
@@ -41,6 +43,7 @@ struct Counters {
   std::uint64_t ray_nodes = 0;          ///< raycast: nodes or cells that the rays went into
   std::uint64_t ray_boxes = 0;          ///< raycast: intersections with boxes or dividing planes
   std::uint64_t ray_tests = 0;          ///< raycast: intersections with triangles
+  HierarchyCounters hierarchy{};        ///< hierarchical method: what it left out, and where
 
   std::uint64_t pixels_shaded = 0;  ///< visible fragments shaded: one per pixel and layer
 

@@ -10,6 +10,7 @@ RasterCounts rasterize(std::span<const ScreenTriangle> triangles, const RasterTa
       return rasterize_scanline(triangles, target, settings.z_interpolation, tables);
     case VisibilityMethod::raycast:  // what it leaves to the raster: segments and points
     case VisibilityMethod::zbuffer:
+    case VisibilityMethod::hierarchical:
       break;
   }
   return rasterize_zbuffer(triangles, target);

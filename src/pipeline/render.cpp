@@ -6,6 +6,7 @@
 #include "../base/error.hpp"
 #include "../base/floating_point.hpp"
 #include "check_request.hpp"
+#include "hierarchical_stage.hpp"
 #include "line_stages.hpp"
 #include "memory_need.hpp"
 #include "ray_stage.hpp"
@@ -25,6 +26,7 @@ struct Renderer::Buffers {
   WireframeBuffers wireframe;
   TileStageBuffers tiles;
   RayStageBuffers rays;
+  HierarchicalBuffers hierarchy;
   Executor executor;
   int threads = 1;  ///< as asked for; 0: all
   ExecutorKind executor_kind = ExecutorKind::tbb;
@@ -118,15 +120,21 @@ struct Frame {
   }
 
   /// The vector kernels know the definition's depth only, and no lists.
-  bool is_for_tiles() const {
-    return settings.visibility == VisibilityMethod::zbuffer && settings.isa != Isa::reference &&
-           settings.depth_format == DepthFormat::reversed && lists == nullptr;
+  bool is_for_kernels() const {
+    const bool has_kernels = settings.visibility == VisibilityMethod::zbuffer ||
+                             settings.visibility == VisibilityMethod::hierarchical;
+    return has_kernels && settings.isa != Isa::reference && settings.depth_format == DepthFormat::reversed &&
+           lists == nullptr;
   }
 
-  /// Rays for the triangles; segments and points, which have no surface, by the raster.
-  void cast_scene(const std::function<void(double)>& progress) {
-    cast_visibility({scene, viewing, settings, rect, buffers.executor, sample}, progress, buffers.rays,
-                    buffers.visibility, counters);
+  /// What is behind the first layer is hidden, too; and bounds hold for pixel centres.
+  bool is_for_hierarchy() const {
+    return settings.visibility == VisibilityMethod::hierarchical && lists == nullptr &&
+           sample == pixel_centre;
+  }
+
+  /// Segments and points alone: for methods that know only triangles.
+  void draw_lines_of_all() {
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
       const Instance& instance = scene.instances()[i];
       const Mesh& mesh = scene.meshes()[instance.mesh];
@@ -142,10 +150,18 @@ struct Frame {
     const std::function<void(double)> progress = [this](double drawn) {
       report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
     };
-    if (settings.visibility == VisibilityMethod::raycast && lists == nullptr) return cast_scene(progress);
-    if (is_for_tiles()) {
-      draw_in_tiles({scene, viewing, settings, rect, buffers.executor, progress, sample}, buffers.tiles,
-                    buffers.visibility, counters);
+    const TileStageInput input{scene, viewing, settings, rect, buffers.executor, progress, sample};
+    if (settings.visibility == VisibilityMethod::raycast && lists == nullptr) {
+      cast_visibility({scene, viewing, settings, rect, buffers.executor, sample}, progress, buffers.rays,
+                      buffers.visibility, counters);
+      return draw_lines_of_all();
+    }
+    if (is_for_hierarchy()) {
+      draw_hierarchically(input, is_for_kernels(), buffers.hierarchy, buffers.visibility, counters);
+      return draw_lines_of_all();
+    }
+    if (is_for_kernels()) {
+      draw_in_tiles(input, buffers.tiles, buffers.visibility, counters);
       return;
     }
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) draw_instance(i);

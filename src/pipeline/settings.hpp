@@ -14,12 +14,18 @@
 #include "../shading/texture_filter.hpp"
 #include "../visibility/depth_format.hpp"
 #include "../visibility/z_interpolation.hpp"
+#include "hierarchy_settings.hpp"
 
 namespace velum {
 
 /// How the question "which surface is seen?" is answered. The raster methods' answers are the same to the
 /// bit; raycast asks the geometry itself and may differ at pixels that agree() explains.
-enum class VisibilityMethod { zbuffer, scanline, raycast };
+enum class VisibilityMethod {
+  zbuffer,
+  scanline,
+  raycast,
+  hierarchical,  ///< z-buffer with z-pyramid and octrees: leaves out what cannot be seen
+};
 
 /// Which triangles are removed by the way they face.
 enum class Cull { none, back, front };
@@ -37,6 +43,7 @@ struct RenderSettings {
   Rgba8 background{0, 0, 0, 0};  ///< sRGB; default transparent
   VisibilityMethod visibility = VisibilityMethod::zbuffer;
   AcceleratorKind accelerator = AcceleratorKind::bvh;  ///< of raycast; the bytes are the same
+  HierarchySettings hierarchy{};                       ///< of VisibilityMethod::hierarchical
   /// For teaching; other than plane only with VisibilityMethod::scanline, and then the bits differ.
   ZInterpolation z_interpolation = ZInterpolation::plane;
   DepthFormat depth_format = DepthFormat::reversed;  ///< for teaching: other formats see less

@@ -11,6 +11,10 @@ double magnitude(double v) {
   return v < 0.0 ? -v : v;
 }
 
+glm::dmat4 absolute(const glm::dmat4& m) {
+  return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2]), glm::abs(m[3])};
+}
+
 /// The smallest and the largest of eight numbers; NaN may get lost.
 struct Range {
   double lowest, highest;
@@ -59,16 +63,23 @@ struct BoxProjection::Corners {
 
 BoxProjection::BoxProjection(const glm::dmat4& clip_from_object, const Viewport& viewport, const Aabb& within)
     : clip_from_object_(clip_from_object), viewport_(viewport) {
+  estimate_rounding(absolute(clip_from_object), within);
+}
+
+BoxProjection::BoxProjection(const ViewingTransform& clip_from_world, const Viewport& viewport,
+                             const Aabb& within)
+    : clip_from_object_(clip_from_world.clip_from_world()), viewport_(viewport) {
+  glm::dmat4 magnitudes(8.0);  // a few stages, each of which rounds anew
+  for (const Stage& stage : clip_from_world.stages()) magnitudes = absolute(stage.matrix) * magnitudes;
+  estimate_rounding(magnitudes, within);
+}
+
+void BoxProjection::estimate_rounding(const glm::dmat4& magnitudes, const Aabb& within) {
   // A coordinate is a sum of four products, with fewer than ten roundings of 2⁻⁵³ of the terms' sizes on
   // either way, the vertex' own and the corner's here; cutting it off at a plane adds a few more.
   constexpr double unit = 0x1p-53 * 64.0;
   const glm::dvec3 reach = glm::max(glm::abs(within.lower), glm::abs(within.upper));
-  for (int i = 0; i < 4; ++i) {
-    const double terms = magnitude(clip_from_object[0][i]) * reach.x +
-                         magnitude(clip_from_object[1][i]) * reach.y +
-                         magnitude(clip_from_object[2][i]) * reach.z + magnitude(clip_from_object[3][i]);
-    rounding_[i] = unit * terms;
-  }
+  rounding_ = (magnitudes * glm::dvec4(reach, 1.0)) * unit;
 }
 
 bool BoxProjection::is_outside(const Corners& corners) const {

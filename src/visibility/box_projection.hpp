@@ -5,6 +5,7 @@
 
 #include "../base/aabb.hpp"
 #include "../base/rect.hpp"
+#include "../projection/viewing_transform.hpp"
 #include "../projection/viewport.hpp"
 
 namespace velum {
@@ -26,6 +27,11 @@ class BoxProjection {
   /// @param within  a box around all those that will be asked about: the roundings are estimated for it
   BoxProjection(const glm::dmat4& clip_from_object, const Viewport& viewport, const Aabb& within);
 
+  /// For boxes in world space around vertices that are transformed by other matrices, their own
+  /// clip_from_object: then the roundings are those of all products of the stages.
+  /// @param within  a box around the world boxes, and around all sums |matrix|·|position| that lead there
+  BoxProjection(const ViewingTransform& clip_from_world, const Viewport& viewport, const Aabb& within);
+
   BoxOnPicture operator()(const Aabb& box) const;
 
   /// The matrix it was made with.
@@ -35,6 +41,7 @@ class BoxProjection {
 
  private:
   struct Corners;
+  void estimate_rounding(const glm::dmat4& magnitudes, const Aabb& within);
   bool is_outside(const Corners& corners) const;
   BoxOnPicture bounds_of(const Corners& corners, double smallest_w) const;
 

@@ -1,6 +1,7 @@
 #include "z_pyramid.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace velum {
 namespace {
@@ -15,12 +16,65 @@ void reduce(const float* upper, const float* lower, int child_width, int first, 
   if (whole < end) out[whole] = std::min(upper[2 * whole], lower[2 * whole]);  // a last, odd column
 }
 
+/// One depth for all pixels.
+struct ConstantBound {
+  float depth;
+  float operator()(const Rect&) const { return depth; }
+};
+
+/// A plane's nearest depth in a rectangle: it is monotone in x and in y.
+struct PlaneBound {
+  const DepthPlane& plane;
+  int left, top;
+  float operator()(const Rect& r) const {
+    return plane.at(left + (plane.dx > 0.0f ? r.right() - 1 : r.left),
+                    top + (plane.dy > 0.0f ? r.bottom() - 1 : r.top));
+  }
+};
+
 }  // namespace
 
-/// Pixels left … right of rows top … bottom against a depth.
-struct ZPyramid::Question {
-  int left, top, right, bottom;
-  float bound;
+/// The way of one question down the levels.
+template <typename Bound>
+class ZPyramid::Descent {
+ public:
+  Descent(const ZPyramid& pyramid, const Rect& rect, const Bound& bound)
+      : pyramid_(pyramid), rect_(rect), bound_(bound), answer_{true, pyramid.coarsest_} {}
+
+  PyramidAnswer go() {
+    const int level = pyramid_.coarsest_;
+    answer_.is_hidden = cells_are_hidden(level, rect_.left >> level, rect_.top >> level,
+                                         (rect_.right() - 1) >> level, (rect_.bottom() - 1) >> level);
+    return answer_;
+  }
+
+ private:
+  bool cells_are_hidden(int level, int left, int top, int right, int bottom) {
+    for (int y = top; y <= bottom; ++y) {
+      for (int x = left; x <= right; ++x) {
+        if (!cell_is_hidden(level, x, y)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool cell_is_hidden(int level, int x, int y) {
+    answer_.level = std::min(answer_.level, level);
+    const int side = 1 << level;
+    const Rect cell{x << level, y << level, side, side};
+    const Rect part = intersect(cell, rect_);
+    if (bound_(part) < pyramid_.value(level, x, y)) return true;
+    // One of the pixels of a cell wholly inside is as far as the cell; but a plane's bound there may be less.
+    if (level == 0 || (std::is_same_v<Bound, ConstantBound> && part == cell)) return false;
+    const int below = level - 1;
+    return cells_are_hidden(below, part.left >> below, part.top >> below, (part.right() - 1) >> below,
+                            (part.bottom() - 1) >> below);
+  }
+
+  const ZPyramid& pyramid_;
+  const Rect& rect_;
+  const Bound& bound_;
+  PyramidAnswer answer_;
 };
 
 void ZPyramid::begin(const ImageView<const float>& z_buffer) {
@@ -70,42 +124,19 @@ void ZPyramid::find_coarsest() {
   }
 }
 
-bool ZPyramid::quadrants_are_hidden(const Question& q, int level, int x, int y, PyramidAnswer& answer) const {
-  const int below = level - 1;
-  const int left = std::max(2 * x, q.left >> below), right = std::min(2 * x + 1, q.right >> below);
-  const int top = std::max(2 * y, q.top >> below), bottom = std::min(2 * y + 1, q.bottom >> below);
-  for (int row = top; row <= bottom; ++row) {
-    for (int column = left; column <= right; ++column) {
-      if (!is_hidden_below(q, below, column, row, answer)) return false;
-    }
-  }
-  return true;
-}
-
-bool ZPyramid::is_hidden_below(const Question& q, int level, int x, int y, PyramidAnswer& answer) const {
-  answer.level = std::min(answer.level, level);
-  const float farthest = level == 0 ? base_.at(x, y) : above_[static_cast<std::size_t>(level) - 1].at(x, y);
-  if (q.bound < farthest) return true;
-  const int last = (1 << level) - 1;
-  const bool is_inside = q.left <= x << level && (x << level) + last <= q.right && q.top <= y << level &&
-                         (y << level) + last <= q.bottom;
-  if (level == 0 || is_inside) return false;  // one of its pixels says no
-  return quadrants_are_hidden(q, level, x, y, answer);
+template <typename Bound>
+PyramidAnswer ZPyramid::descend(const Rect& rect, const Bound& bound) const {
+  const Rect seen = intersect(rect, {0, 0, base_.width, base_.height});
+  if (seen.is_empty()) return {true, levels() - 1};
+  return Descent<Bound>(*this, seen, bound).go();
 }
 
 PyramidAnswer ZPyramid::is_hidden(const Rect& rect, float bound) const {
-  const Rect seen = intersect(rect, {0, 0, base_.width, base_.height});
-  if (seen.is_empty()) return {true, levels() - 1};
-  const Question q{seen.left, seen.top, seen.right() - 1, seen.bottom() - 1, bound};
-  PyramidAnswer answer{true, coarsest_};
-  for (int y = q.top >> coarsest_; y <= q.bottom >> coarsest_; ++y) {
-    for (int x = q.left >> coarsest_; x <= q.right >> coarsest_; ++x) {
-      if (is_hidden_below(q, coarsest_, x, y, answer)) continue;
-      answer.is_hidden = false;
-      return answer;
-    }
-  }
-  return answer;
+  return descend(rect, ConstantBound{bound});
+}
+
+PyramidAnswer ZPyramid::is_hidden(const Rect& rect, const DepthPlane& plane, int left, int top) const {
+  return descend(rect, PlaneBound{plane, left, top});
 }
 
 }  // namespace velum

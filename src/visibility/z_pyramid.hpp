@@ -4,6 +4,7 @@
 
 #include "../base/rect.hpp"
 #include "../image/image.hpp"
+#include "depth_plane.hpp"
 
 namespace velum {
 
@@ -51,11 +52,20 @@ class ZPyramid {
   /// without pixels of the z-buffer is hidden.
   PyramidAnswer is_hidden(const Rect& rect, float bound) const;
 
+  /// The same for a surface, whose nearest depth is known in every quadrant: it stands at a corner.
+  /// @param plane       reversed depth at pixels of the whole picture
+  /// @param left, top   where the z-buffer's first pixel lies in the picture
+  PyramidAnswer is_hidden(const Rect& rect, const DepthPlane& plane, int left, int top) const;
+
  private:
-  struct Question;
-  bool is_hidden_below(const Question& question, int level, int x, int y, PyramidAnswer& answer) const;
-  bool quadrants_are_hidden(const Question& question, int level, int x, int y, PyramidAnswer& answer) const;
+  template <typename Bound>
+  class Descent;
+  template <typename Bound>
+  PyramidAnswer descend(const Rect& rect, const Bound& bound) const;
   void find_coarsest();
+  float value(int level, int x, int y) const {
+    return level == 0 ? base_.at(x, y) : above_[static_cast<std::size_t>(level) - 1].at(x, y);
+  }
 
   ImageView<const float> base_;
   std::vector<Image<float>> above_;  // level 1 and further

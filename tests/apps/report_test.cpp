@@ -120,6 +120,25 @@ TEST_CASE("the method's own work is reported on demand") {
   CHECK(Workplace().velum("render builtin:house --report-work").code == 2);
 }
 
+TEST_CASE("what the hierarchical method left out, and at which level, is reported with its work") {
+  const std::string options = "builtin:sphere --size 64x48 --report-work --visibility ";
+  const json whole = report_of(options + "zbuffer");
+  const json part = report_of(options + "hierarchical --crop 20,20,3,3");
+  const json& work = part["work"]["hierarchy"];
+  CHECK(work["nodes_outside"].get<int>() > 0);
+  CHECK(work["nodes_hidden_at"].is_array());
+  CHECK(part["counters"]["triangles"].get<int>() + work["triangles_left_out"].get<int>() ==
+        whole["counters"]["triangles"].get<int>());
+  CHECK(report_of(options + "hierarchical")["sha256"] == whole["sha256"]);
+  const json polygons = report_of(options + "hierarchical --hierarchical polygons");
+  CHECK(polygons["sha256"] == whole["sha256"]);
+  CHECK(polygons["work"]["hierarchy"]["polygons_tested"].get<int>() > 0);
+  const Outcome blank =
+      Workplace().velum("render builtin:cube --eye 0,0,5 --target 0,0,10 --visibility hierarchical");
+  CHECK(blank.code == 1);
+  CHECK(contains(blank.err, "behind the camera"));
+}
+
 TEST_CASE("the report tells the depth resolution at the far end, by the format") {
   const std::string camera = "builtin:cube --size 32x32 --projection front --near 1 --far 11 --depth-format ";
   CHECK(report_of(camera + "8")["depth_resolution_at_far"].get<double>() == doctest::Approx(10.0 / 255));

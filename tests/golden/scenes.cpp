@@ -160,7 +160,8 @@ std::vector<GoldenScene> golden_scenes() {
 
 const std::vector<Mode>& golden_modes() {
   static const std::vector<Mode> modes{{"zbuffer", VisibilityMethod::zbuffer},
-                                       {"scanline", VisibilityMethod::scanline}};
+                                       {"scanline", VisibilityMethod::scanline},
+                                       {"hierarchical", VisibilityMethod::hierarchical}};
   return modes;
 }
 
@@ -209,6 +210,8 @@ std::vector<Mode> machine_modes() {
       modes.push_back({std::string("zbuffer, ") + name_of(isa) + ", " + std::to_string(threads) + " threads",
                        VisibilityMethod::zbuffer, isa, threads});
     }
+    modes.push_back({std::string("hierarchical, ") + name_of(isa) + ", 7 threads",
+                     VisibilityMethod::hierarchical, isa, 7});
   }
   return modes;
 }

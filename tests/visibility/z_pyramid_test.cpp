@@ -130,6 +130,42 @@ TEST_CASE("a rectangle is hidden exactly if all its pixels are strictly nearer")
   CHECK((decided_at[0] > 0 && decided_at[1] > 0 && decided_at[2] > 0));
 }
 
+TEST_CASE("a plane is hidden only if it is at every pixel, and more often than its nearest depth") {
+  Random random{6};
+  int hidden = 0, by_nearest = 0;
+  for (int round = 0; round < 60; ++round) {
+    const int width = 1 + random.below(100), height = 1 + random.below(100);
+    const Image<float> image = random_depths(random, width, height);
+    ZPyramid pyramid;
+    pyramid.build(image);
+    for (int i = 0; i < 100; ++i) {
+      DepthPlane plane;
+      plane.r_ref = static_cast<float>(random.uniform(0.0, 0.9));
+      plane.dx = static_cast<float>(random.uniform(-0.01, 0.01));
+      plane.dy = static_cast<float>(random.uniform(-0.01, 0.01));
+      plane.x_ref = 50;
+      plane.y_ref = 60;
+      plane.upper = 1.0f;
+      const Rect rect = random_rect(random, width, height);
+      bool is_behind = true;
+      float nearest = 0.0f;
+      for (int y = rect.top; y < rect.bottom(); ++y) {
+        for (int x = rect.left; x < rect.right(); ++x) {
+          const float r = plane.at(x + 11, y + 22);
+          is_behind = is_behind && r < image.at(x, y);
+          nearest = std::max(nearest, r);
+        }
+      }
+      const bool answer = pyramid.is_hidden(rect, plane, 11, 22).is_hidden;
+      CHECK(answer == is_behind);
+      hidden += answer;
+      by_nearest += pyramid.is_hidden(rect, nearest).is_hidden;
+    }
+  }
+  CHECK(hidden > by_nearest);
+  CHECK(by_nearest > 100);
+}
+
 TEST_CASE("what reaches beyond the z-buffer is judged by what lies in it") {
   ZPyramid pyramid;
   const Image<float> image(10, 10, 0.5f);

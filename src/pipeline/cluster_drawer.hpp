@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <vector>
+
+#include "../visibility/z_pyramid.hpp"
+#include "scene_octrees.hpp"
+#include "tile_stage.hpp"
+
+namespace velum {
+
+/// Clusters that are to be drawn, of one mesh placed in the scene after the other.
+struct ClusterBatch {
+  struct PlacedMesh {
+    std::uint32_t instance = 0;
+    glm::dmat4 clip_from_object{1.0};
+  };
+  struct Entry {
+    std::uint32_t placed = 0;  ///< which of `meshes`
+    std::uint32_t cluster = 0;
+  };
+  std::vector<PlacedMesh> meshes;
+  std::vector<Entry> entries;
+  std::uint64_t triangles = 0;  ///< of all entries together
+
+  void clear() {
+    meshes.clear();
+    entries.clear();
+    triangles = 0;
+  }
+};
+
+/// What drawing clusters needs to know of the frame.
+struct ClusterInput {
+  const TileStageInput& frame;
+  const SceneOctrees& octrees;
+  ZPyramid& pyramid;
+  VisibilityBuffer& buffer;  ///< what the pyramid stands over
+  Counters& counters;
+  bool tests_polygons;  ///< against the pyramid, one by one
+};
+
+/// Takes clusters through transform, set-up and raster.
+class ClusterDrawer {
+ public:
+  virtual ~ClusterDrawer() = default;
+  /// The pyramid may lag behind until publish().
+  virtual void draw(const ClusterBatch& batch) = 0;
+  /// Brings visibility buffer and pyramid up to date.
+  virtual void publish() = 0;
+};
+
+/// The plain stages, one cluster after the other, and rasterize_zbuffer: the oracle of the other.
+class PlainClusters : public ClusterDrawer {
+ public:
+  explicit PlainClusters(const ClusterInput& input) : input_(input) {}
+  void draw(const ClusterBatch& batch) override;
+  void publish() override;
+
+ private:
+  void set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster);
+  void leave_out_hidden();
+  void rasterize_batch();
+
+  const ClusterInput input_;
+  ClipVertices vertices_;
+  std::vector<ScreenTriangle> screen_triangles_;
+  Rect changed_{};  // pixels of the buffer
+};
+
+/// What TiledClusters keeps between frames.
+struct TiledClusterBuffers {
+  /// A run of clusters that one worker sets up and sorts into tiles.
+  struct Group {
+    std::uint32_t first = 0;  ///< entries of the batch
+    std::uint32_t last = 0;
+    std::size_t triangles = 0;
+    TileBins bins;
+    Counters counters;
+  };
+  /// Memory of a worker.
+  struct Worker {
+    PlacedVertices vertices;
+    BatchScratch scratch;
+    TileCounts counts;
+  };
+  enum class TileState : std::uint8_t { untouched, published, changed };
+
+  std::vector<Group> groups;  ///< the first `used` are the batch's
+  std::size_t used = 0;
+  std::vector<Worker> workers;
+  std::vector<TileBuffer> tiles;  ///< all of the picture's: they stay where they are until the frame is done
+  std::vector<TileState> states;
+};
+
+/// The vector kernels, on all threads: groups of clusters are set up and sorted into tiles, then each tile
+/// draws its triangles. Triangles of a pixel or two are not tested against the pyramid: drawing them is as
+/// cheap.
+class TiledClusters : public ClusterDrawer {
+ public:
+  TiledClusters(const ClusterInput& input, TiledClusterBuffers& buffers);
+  void draw(const ClusterBatch& batch) override;
+  void publish() override;
+
+ private:
+  using Group = TiledClusterBuffers::Group;
+  using Worker = TiledClusterBuffers::Worker;
+  void make_groups(const ClusterBatch& batch);
+  void set_up_group(const ClusterBatch& batch, Group& group, Worker& worker) const;
+  void set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, Counters& counters,
+                      Worker& worker) const;
+  SetUpWork work_for(const Instance& instance, const MeshCluster& cluster, Worker& worker) const;
+  void set_up_slow(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, std::size_t count,
+                   Counters& counters, Worker& worker) const;
+  void leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const;
+  void draw_tile(std::size_t tile, Worker& worker) const;
+  void publish_tile(std::size_t tile, int last_level) const;
+
+  const ClusterInput input_;
+  TiledClusterBuffers& buffers_;
+  const TileGrid grid_;
+  const TransformVertices transform_;
+  const SetUpTriangles set_up_;
+  const TileRaster raster_;
+};
+
+}  // namespace velum

@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "../visibility/tile_transfer.hpp"
+#include "cluster_drawer.hpp"
+#include "polygon_culling.hpp"
+
+namespace velum {
+namespace {
+
+/// Triangles per group: enough to amortise the sorting, few enough to stay in cache.
+constexpr std::size_t group_size = 8192;
+/// Level of the pyramid where a tile is one value.
+constexpr int tile_level = 6;
+static_assert(tile_size == 1 << tile_level);
+
+TilePrimitives primitives_of(const TileWork& work) {
+  return {work.large,        work.large_indices.data(), work.large_indices.size(), work.small.data(),
+          work.small.size(), work.fragments.data(),     work.fragments.size()};
+}
+
+/// Keeps those of the first `count` that are not hidden. @return how many
+template <typename Triangle>
+std::size_t seen_of(KeptArray<Triangle>& triangles, std::size_t count, const PolygonCulling& culling,
+                    HierarchyCounters& counters) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (culling.is_hidden(triangles[i], counters)) continue;
+    if (kept != i) triangles[kept] = triangles[i];
+    ++kept;
+  }
+  return kept;
+}
+
+}  // namespace
+
+TiledClusters::TiledClusters(const ClusterInput& input, TiledClusterBuffers& buffers)
+    : input_(input),
+      buffers_(buffers),
+      grid_(input.frame.rect),
+      transform_(transform_kernel(input.frame.settings.isa)),
+      set_up_(set_up_kernel(input.frame.settings.isa)),
+      raster_(tile_raster(input.frame.settings.isa)) {
+  const auto tiles = static_cast<std::size_t>(grid_.count());
+  if (buffers.tiles.size() < tiles) buffers.tiles.resize(tiles);
+  buffers.states.assign(tiles, TiledClusterBuffers::TileState::untouched);
+  buffers.workers.resize(static_cast<std::size_t>(input.frame.executor.threads()));
+}
+
+void TiledClusters::draw(const ClusterBatch& batch) {
+  if (batch.entries.empty()) return;
+  make_groups(batch);
+  input_.frame.executor.for_each(buffers_.used, [&](std::size_t i, int worker) {
+    set_up_group(batch, buffers_.groups[i], buffers_.workers[static_cast<std::size_t>(worker)]);
+  });
+  for (Worker& worker : buffers_.workers) worker.counts = {};
+  input_.frame.executor.for_each(buffers_.states.size(), [&](std::size_t i, int worker) {
+    draw_tile(i, buffers_.workers[static_cast<std::size_t>(worker)]);
+  });
+  Counters& counters = input_.counters;
+  for (std::size_t i = 0; i < buffers_.used; ++i) counters += buffers_.groups[i].counters;
+  for (const Worker& worker : buffers_.workers) {
+    counters.hidden_triangles += worker.counts.hidden_triangles;
+    counters.hidden_blocks += worker.counts.hidden_blocks;
+    counters.drawn_blocks += worker.counts.drawn_blocks;
+  }
+}
+
+void TiledClusters::make_groups(const ClusterBatch& batch) {
+  buffers_.used = 0;
+  const auto count = static_cast<std::uint32_t>(batch.entries.size());
+  for (std::uint32_t first = 0, last = 0; first < count; first = last) {
+    std::size_t triangles = 0;
+    while (last < count && triangles < group_size) {
+      const ClusterBatch::Entry& entry = batch.entries[last++];
+      const std::uint32_t mesh = input_.frame.scene.instances()[batch.meshes[entry.placed].instance].mesh;
+      triangles += input_.octrees.mesh(mesh).cluster(entry.cluster).triangles.size();
+    }
+    if (buffers_.used == buffers_.groups.size()) buffers_.groups.emplace_back();
+    TiledClusterBuffers::Group& group = buffers_.groups[buffers_.used++];
+    group.first = first;
+    group.last = last;
+    group.triangles = triangles;
+  }
+}
+
+void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker& worker) const {
+  group.counters = {};
+  ScreenPrimitives& primitives = worker.scratch.primitives;
+  primitives.clear();
+  primitives.make_room(group.triangles);
+  worker.scratch.screen_triangles.clear();
+  for (std::uint32_t i = group.first; i < group.last; ++i) {
+    const ClusterBatch::Entry& entry = batch.entries[i];
+    const ClusterBatch::PlacedMesh& placed = batch.meshes[entry.placed];
+    const std::uint32_t mesh = input_.frame.scene.instances()[placed.instance].mesh;
+    set_up_cluster(placed, input_.octrees.mesh(mesh).cluster(entry.cluster), group.counters, worker);
+  }
+  for (const ScreenTriangle& triangle : worker.scratch.screen_triangles) {
+    if (!append_triangle(triangle, grid_, primitives)) ++group.counters.zero_area;
+  }
+  if (input_.tests_polygons) leave_out_hidden(primitives, group.counters.hierarchy);
+  group.bins.sort(primitives, grid_);
+}
+
+SetUpWork TiledClusters::work_for(const Instance& instance, const MeshCluster& cluster,
+                                  Worker& worker) const {
+  const RenderSettings& settings = input_.frame.settings;
+  ScreenPrimitives& out = worker.scratch.primitives;
+  out.make_room(cluster.triangles.size());
+  worker.scratch.slow.make_room(cluster.triangles.size());
+  SetUpWork work{};
+  work.indices = cluster.indices.data();
+  work.last = static_cast<std::uint32_t>(cluster.triangles.size());
+  work.primitives = cluster.triangles.data();
+  work.positions = &cluster.positions[0].x;
+  work.clip_from_object = glm::value_ptr(worker.vertices.clip_from_object);
+  work.placed = worker.vertices.placed.data();
+  work.width = settings.width;
+  work.height = settings.height;
+  work.target_left = grid_.target.left;
+  work.target_top = grid_.target.top;
+  work.target_right = grid_.target.right();
+  work.target_bottom = grid_.target.bottom();
+  work.tile_columns = grid_.columns;
+  set_culling(work, settings.cull, is_mirroring(instance.world_from_object));
+  work.large = out.large.data() + out.large_count;
+  work.small = out.small.data() + out.small_count;
+  work.fragments = out.fragments.data() + out.fragment_count;
+  work.slow = worker.scratch.slow.data();
+  return work;
+}
+
+void TiledClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
+                                   Counters& counters, Worker& worker) const {
+  if (cluster.triangles.empty()) return;
+  const RenderSettings& settings = input_.frame.settings;
+  const std::size_t vertex_count = cluster.positions.size();
+  PlacedVertices& vertices = worker.vertices;
+  if (vertices.placed.size() < vertex_count) vertices.placed.resize(vertex_count);
+  vertices.clip_from_object = placed.clip_from_object;
+  transform_({&cluster.positions[0].x, vertex_count, glm::value_ptr(vertices.clip_from_object),
+              settings.width, settings.height, nullptr, nullptr, vertices.placed.data()});
+  counters.vertices += vertex_count;
+  const SetUpResult result =
+      set_up_(work_for(input_.frame.scene.instances()[placed.instance], cluster, worker), counters);
+  ScreenPrimitives& out = worker.scratch.primitives;
+  const std::uint32_t first = input_.frame.scene.first_primitive(placed.instance);
+  if (first != 0) {
+    for (std::size_t i = 0; i < result.large; ++i) out.large[out.large_count + i].primitive += first;
+    for (std::size_t i = 0; i < result.small; ++i) out.small[out.small_count + i].primitive += first;
+    for (std::size_t i = 0; i < result.fragments; ++i) {
+      out.fragments[out.fragment_count + i].primitive += first;
+    }
+  }
+  out.large_count += result.large;
+  out.small_count += result.small;
+  out.fragment_count += result.fragments;
+  out.box = united(out.box, result.box);
+  set_up_slow(placed, cluster, result.slow, counters, worker);
+}
+
+void TiledClusters::set_up_slow(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
+                                std::size_t count, Counters& counters, Worker& worker) const {
+  const RenderSettings& settings = input_.frame.settings;
+  const Scene& scene = input_.frame.scene;
+  const bool mirrored = is_mirroring(scene.instances()[placed.instance].world_from_object);
+  const std::uint32_t first_primitive = scene.first_primitive(placed.instance);
+  for (std::size_t next = 0; next < count; ++next) {
+    const std::size_t i = worker.scratch.slow[next];
+    const std::uint32_t* const corner = &cluster.indices[3 * i];
+    const auto vertex = [&](std::uint32_t k) {
+      return clip_position(placed.clip_from_object, cluster.positions[k]);
+    };
+    const AssembledTriangle triangle = assemble({vertex(corner[0]), vertex(corner[1]), vertex(corner[2])},
+                                                mirrored, settings.cull, counters);
+    if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
+      set_up(triangle, first_primitive + cluster.triangles[i], {settings.width, settings.height}, counters,
+             worker.scratch.screen_triangles);
+    }
+  }
+}
+
+void TiledClusters::leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const {
+  const PolygonCulling culling(input_.pyramid, grid_.target, DepthFormat::reversed);
+  primitives.large_count = seen_of(primitives.large, primitives.large_count, culling, counters);
+  primitives.small_count = seen_of(primitives.small, primitives.small_count, culling, counters);
+}
+
+void TiledClusters::draw_tile(std::size_t index, Worker& worker) const {
+  const int tile = static_cast<int>(index), left = grid_.left(tile), top = grid_.top(tile);
+  TileBuffer& buffer = buffers_.tiles[index];
+  TiledClusterBuffers::TileState& state = buffers_.states[index];
+  for (std::size_t i = 0; i < buffers_.used; ++i) {
+    const TileWork work = buffers_.groups[i].bins.of_tile(tile);
+    if (work.is_empty()) continue;
+    if (state == TiledClusterBuffers::TileState::untouched) clear_tile(input_.frame.rect, left, top, buffer);
+    state = TiledClusterBuffers::TileState::changed;
+    const TilePrimitives primitives = primitives_of(work);
+    if (primitives.large_count > 0) raster_.find_occluder(primitives, left, top, buffer);
+    raster_.draw(primitives, left, top, buffer, worker.counts);
+  }
+}
+
+void TiledClusters::publish_tile(std::size_t index, int last_level) const {
+  TiledClusterBuffers::TileState& state = buffers_.states[index];
+  if (state != TiledClusterBuffers::TileState::changed) return;
+  state = TiledClusterBuffers::TileState::published;
+  const Rect& rect = input_.frame.rect;
+  const int tile = static_cast<int>(index), left = grid_.left(tile), top = grid_.top(tile);
+  store_tile(buffers_.tiles[index], rect, left, top, input_.buffer);
+  input_.pyramid.update(
+      intersect({left - rect.left, top - rect.top, tile_size, tile_size}, {0, 0, rect.width, rect.height}), 1,
+      last_level);
+}
+
+void TiledClusters::publish() {
+  ++input_.counters.hierarchy.batches;
+  const int last = std::min(tile_level, input_.pyramid.levels() - 1);
+  input_.frame.executor.for_each(buffers_.states.size(), [&](std::size_t i, int) { publish_tile(i, last); });
+  const Rect& rect = input_.frame.rect;
+  input_.pyramid.update({0, 0, rect.width, rect.height}, last + 1, input_.pyramid.levels() - 1);
+}
+
+}  // namespace velum
