@@ -1,30 +1,16 @@
 #include "velum_runner.hpp"
 
 namespace velum_bench {
-namespace {
 
 using namespace velum;
 
-/// The hierarchical method, in a velum that has it.
-template <typename Method>
-constexpr std::optional<Method> hierarchical_method() {
-  if constexpr (requires { Method::hierarchical; }) {
-    return Method::hierarchical;
-  } else {
-    return {};
-  }
-}
-
-}  // namespace
-
 std::vector<Mode> modes() {
-  std::vector<Mode> all{{"zbuffer", VisibilityMethod::zbuffer, true, false},
-                        {"ids", VisibilityMethod::zbuffer, true, true},
-                        {"depth", VisibilityMethod::zbuffer, false, false},
-                        {"scanline", VisibilityMethod::scanline, true, false}};
-  if (const auto method = hierarchical_method<VisibilityMethod>())
-    all.insert(all.begin() + 1, {"hierarchical", *method, true, false});
-  return all;
+  return {{"zbuffer", VisibilityMethod::zbuffer, true, false},
+          {"hierarchical", VisibilityMethod::hierarchical, true, false},
+          {"ids", VisibilityMethod::zbuffer, true, true},
+          {"depth", VisibilityMethod::zbuffer, false, false},
+          {"scanline", VisibilityMethod::scanline, true, false},
+          {"raycast", VisibilityMethod::raycast, true, false}};
 }
 
 Mode mode_named(const std::string& name) {
@@ -35,8 +21,7 @@ Mode mode_named(const std::string& name) {
 }
 
 std::string default_mode(const std::string& scene) {
-  const bool is_many = scene.ends_with("s1000");
-  return is_many && hierarchical_method<VisibilityMethod>() ? "hierarchical" : "zbuffer";
+  return scene.ends_with("s1000") ? "hierarchical" : "zbuffer";
 }
 
 VelumRunner::VelumRunner(const BenchScene& bench, const Mode& mode, const VelumOptions& options)

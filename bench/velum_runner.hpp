@@ -22,7 +22,7 @@ struct Mode {
 };
 
 /// The modes by name: zbuffer and hierarchical give colour and depth, ids these and the ids, depth only the
-/// depth.
+/// depth; scanline and raycast are there to compare.
 std::vector<Mode> modes();
 /// @pre the name is one of modes()
 Mode mode_named(const std::string& name);

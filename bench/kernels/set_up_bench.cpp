@@ -21,22 +21,21 @@ void by_reference(benchmark::State& state, const Subject& subject) {
   }
 }
 
-PlacedVertices placed_by_kernel(const Subject& subject, Isa isa) {
-  PlacedVertices vertices;
-  const std::size_t count = subject.mesh.positions.size();
-  vertices.resize(count);
-  transform_kernel(isa)({&subject.mesh.positions[0].x, count, glm::value_ptr(subject.clip_from_object),
-                         subject.viewport.width, subject.viewport.height, &vertices.clip.positions[0].x,
-                         vertices.clip.outcodes.data(), vertices.placed.data()});
-  return vertices;
+std::vector<PlacedVertex> placed_by_kernel(const Subject& subject, Isa isa) {
+  std::vector<PlacedVertex> placed(subject.mesh.positions.size());
+  transform_kernel(isa)({&subject.mesh.positions[0].x, placed.size(),
+                         glm::value_ptr(subject.clip_from_object), subject.viewport.width,
+                         subject.viewport.height, nullptr, nullptr, placed.data()});
+  return placed;
 }
 
-SetUpWork work_of(const Subject& subject, const PlacedVertices& vertices) {
+SetUpWork work_of(const Subject& subject, const std::vector<PlacedVertex>& placed) {
   const Rect rect = subject.rect();
   SetUpWork work{};
   work.indices = &subject.mesh.triangles[0].x;
-  work.clip = &vertices.clip.positions[0].x;
-  work.placed = vertices.placed.data();
+  work.positions = &subject.mesh.positions[0].x;
+  work.clip_from_object = glm::value_ptr(subject.clip_from_object);
+  work.placed = placed.data();
   work.width = rect.width;
   work.height = rect.height;
   work.target_right = rect.right();
@@ -48,11 +47,11 @@ SetUpWork work_of(const Subject& subject, const PlacedVertices& vertices) {
 
 void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
   constexpr std::uint32_t batch = 4096;  // as many as stay in cache, like a frame's batches
-  const PlacedVertices vertices = placed_by_kernel(subject, isa);
+  const std::vector<PlacedVertex> placed = placed_by_kernel(subject, isa);
   ScreenPrimitives out;
   out.make_room(batch);
   std::vector<std::uint32_t> slow(batch);
-  SetUpWork work = work_of(subject, vertices);
+  SetUpWork work = work_of(subject, placed);
   work.large = out.large.data();
   work.small = out.small.data();
   work.fragments = out.fragments.data();

@@ -24,16 +24,11 @@ void by_reference(benchmark::State& state, const Subject& subject) {
 }
 
 void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
-  const std::size_t count = subject.mesh.positions.size();
-  ClipVertices clip;
-  clip.positions.resize(count);
-  clip.outcodes.resize(count);
-  std::vector<PlacedVertex> placed(count);
+  std::vector<PlacedVertex> placed(subject.mesh.positions.size());
   const TransformVertices transform = transform_kernel(isa);
   for (auto _ : state) {
-    transform({&subject.mesh.positions[0].x, count, glm::value_ptr(subject.clip_from_object),
-               subject.viewport.width, subject.viewport.height, &clip.positions[0].x, clip.outcodes.data(),
-               placed.data()});
+    transform({&subject.mesh.positions[0].x, placed.size(), glm::value_ptr(subject.clip_from_object),
+               subject.viewport.width, subject.viewport.height, nullptr, nullptr, placed.data()});
     benchmark::ClobberMemory();
   }
 }
