@@ -45,6 +45,15 @@ const Tables& tables() {
   return made_once;
 }
 
+std::uint8_t encode(const Tables& table, float linear) {
+  if (!(linear > 0.0f)) return 0;
+  if (linear >= 1.0f) return 255;
+  const double value = static_cast<double>(linear);
+  std::size_t code = table.first_code[static_cast<std::size_t>(value * cells)];
+  while (value >= table.upper_bound[code]) ++code;
+  return static_cast<std::uint8_t>(code);
+}
+
 /// 0…1 → 0…255, half up.
 std::uint8_t byte_from_unit(float value) {
   if (!(value > 0.0f)) return 0;
@@ -59,13 +68,7 @@ float linear_from_srgb(std::uint8_t code) {
 }
 
 std::uint8_t srgb_from_linear(float linear) {
-  if (!(linear > 0.0f)) return 0;
-  if (linear >= 1.0f) return 255;
-  const Tables& table = tables();
-  const double value = static_cast<double>(linear);
-  std::size_t code = table.first_code[static_cast<std::size_t>(value * cells)];
-  while (value >= table.upper_bound[code]) ++code;
-  return static_cast<std::uint8_t>(code);
+  return encode(tables(), linear);
 }
 
 glm::vec4 linear_from_srgb(const Rgba8& colour) {
@@ -76,6 +79,14 @@ glm::vec4 linear_from_srgb(const Rgba8& colour) {
 Rgba8 srgb_from_linear(const glm::vec4& linear) {
   return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b),
           byte_from_unit(linear.a)};
+}
+
+void srgb_from_linear(const float* const (&channels)[4], std::size_t count, Rgba8* out) {
+  const Tables& table = tables();
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i] = {encode(table, channels[0][i]), encode(table, channels[1][i]), encode(table, channels[2][i]),
+              byte_from_unit(channels[3][i])};
+  }
 }
 
 }  // namespace velum

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -26,5 +27,7 @@ std::uint8_t srgb_from_linear(float linear);
 glm::vec4 linear_from_srgb(const Rgba8& colour);
 /// @param linear  straight alpha, linear channels
 Rgba8 srgb_from_linear(const glm::vec4& linear);
+/// The same of many. @param channels  red, green, blue, alpha: `count` values each
+void srgb_from_linear(const float* const (&channels)[4], std::size_t count, Rgba8* out);
 
 }  // namespace velum

@@ -53,7 +53,7 @@ bool ShadeContext::has_plain_triangles() const {
   const Shading shading = input.settings.shading;
   const bool is_plain =
       shading == Shading::flat || shading == Shading::object_id || shading == Shading::triangle_id;
-  return is_plain && !input.settings.shader && input.wireframe == nullptr && !input.needs_points;
+  return is_plain && !input.settings.shader && input.wireframe == nullptr;
 }
 
 void PixelShader::begin(const ShadeContext& context) {
@@ -75,6 +75,7 @@ void PixelShader::set_up(std::uint32_t primitive, VisiblePrimitive& visible) con
   visible.kind = place.kind;
   visible.object = place.instance;
   visible.plain_colour.reset();
+  visible.has_planes = false;
   if (place.kind == PrimitiveKind::triangle)
     set_up_triangle(place, visible);
   else
@@ -88,12 +89,12 @@ void PixelShader::set_up_triangle(const PrimitivePlace& place, VisiblePrimitive&
   if (is_plain && input.settings.shading != Shading::flat) {
     const bool by_object = input.settings.shading == Shading::object_id;
     visible.plain_colour = srgb_from_linear(id_colour(by_object ? place.instance : visible.primitive));
-    return;
+    if (!input.needs_points) return;
   }
   visible.triangle = view_triangle(input.scene, place, context_->clip_from_object[place.instance], viewer);
   visible.lit = light_triangle(input.settings.shading, context_->lighting, visible.triangle);
   const bool is_textured = visible.triangle.material->texture != nullptr;
-  if (is_plain && !is_textured && visible.lit.face.a >= 1.0f) {
+  if (is_plain && !visible.plain_colour && !is_textured && visible.lit.face.a >= 1.0f) {
     visible.plain_colour = srgb_from_linear(visible.lit.face);
   }
   if (input.wireframe == nullptr) return;
@@ -106,6 +107,21 @@ void PixelShader::set_up_line(const PrimitivePlace& place, VisiblePrimitive& vis
   const glm::dmat4& clip_from_object = context_->clip_from_object[place.instance];
   const bool x_major = is_x_major(input.scene, place, clip_from_object, viewer.viewport);
   visible.line = view_line(input.scene, place, clip_from_object, viewer, x_major);
+}
+
+const TrianglePlanes& PixelShader::planes() {
+  VisiblePrimitive& visible = *selected_;
+  if (visible.has_planes) return visible.planes;
+  visible.has_planes = true;
+  const Shading shading = context_->input.settings.shading;
+  if (shading == Shading::flat) {
+    const glm::vec4& face = visible.lit.face;
+    visible.planes = planes_of(visible.triangle, {face, face, face});
+  } else {
+    const bool is_gouraud = shading == Shading::gouraud;
+    visible.planes = planes_of(visible.triangle, is_gouraud ? visible.lit.corners : visible.triangle.colours);
+  }
+  return visible.planes;
 }
 
 SurfacePoint PixelShader::surface(int x, int y, float reversed_depth) const {

@@ -6,6 +6,7 @@
 
 #include "../shading/line_view.hpp"
 #include "../shading/shade.hpp"
+#include "../shading/triangle_planes.hpp"
 #include "../shading/triangle_view.hpp"
 #include "../visibility/depth_plane.hpp"
 #include "stages.hpp"
@@ -28,7 +29,7 @@ struct ShadeInput {
 struct ShadeContext {
   explicit ShadeContext(const ShadeInput& shade_input);
 
-  /// Whether a triangle without a texture has one colour all over, which is all that is wanted of it.
+  /// Whether a triangle without a texture has one colour all over.
   bool has_plain_triangles() const;
 
   const ShadeInput input;
@@ -42,11 +43,12 @@ struct ShadeContext {
 struct VisiblePrimitive {
   std::uint32_t primitive = no_primitive;
   PrimitiveKind kind = PrimitiveKind::triangle;
-  std::uint32_t object = 0;  ///< its instance
-  std::optional<Rgba8>
-      plain_colour;       ///< where it is opaque and the same at every pixel; no more is set up then
-  TriangleView triangle;  ///< if it is one
+  std::uint32_t object = 0;           ///< its instance
+  std::optional<Rgba8> plain_colour;  ///< where it is opaque and the same at every pixel
+  TriangleView triangle;              ///< if it is one, and more than a plain colour is wanted of it
   LitTriangle lit;
+  TrianglePlanes planes;  ///< of a triangle that was asked for them
+  bool has_planes = false;
   DepthPlane depth;  ///< of a triangle under a wireframe
   LineView line;     ///< if it is a segment or a point
 };
@@ -61,6 +63,9 @@ class PixelShader {
   /// Turns to a primitive; the calls below are about its pixels. @pre primitive < primitive_count()
   void select(std::uint32_t primitive);
   const VisiblePrimitive& selected() const { return *selected_; }
+
+  /// The selected triangle as the vector kernels read it, with the colours of the shading.
+  const TrianglePlanes& planes();
 
   /// @param x, y  pixel of the buffer
   SurfacePoint surface(int x, int y, float reversed_depth) const;

@@ -30,7 +30,7 @@ struct Renderer::Buffers {
   Executor executor;
   int threads = 1;  ///< as asked for; 0: all
   ExecutorKind executor_kind = ExecutorKind::tbb;
-  std::vector<PixelShader> shaders;
+  std::vector<ShadeWorker> shaders;
   LayerBuffers layers;
   Picture picture;
 };

@@ -12,7 +12,9 @@ namespace velum {
 
 namespace {
 
-/// Rows that a worker takes at a time where nothing but the ids matters: memory is then read in order.
+static_assert(tile_size <= static_cast<int>(most_row_pixels));
+
+/// Rows that a worker takes at a time where tiles bring nothing: memory is then read in order.
 constexpr int band_height = 16;
 /// Pixels from which on a picture's outputs are larger than a core's own caches.
 constexpr int large_picture = 1 << 19;
@@ -26,45 +28,49 @@ void fill(const ImageView<T>& view, const ShadeRun& run, const T& value) {
 bool needs_surfaces(const ShadeContext& context, const PictureTarget& target) {
   const bool has_id_colours =
       context.has_plain_triangles() && context.input.settings.shading == Shading::triangle_id;
-  return (target.colour.data != nullptr && !has_id_colours) || target.metric_depth.data != nullptr ||
-         target.normal.data != nullptr || target.object_id.data != nullptr;
+  return (target.colour.data != nullptr && !has_id_colours) || context.input.needs_points ||
+         target.object_id.data != nullptr;
 }
 
 }  // namespace
 
 ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers,
-                       std::vector<PixelShader>& shaders)
+                       std::vector<ShadeWorker>& workers)
     : context_(input),
       target_(target),
+      rows_(context_, target),
       needs_surfaces_(needs_surfaces(context_, target)),
       layers_(layers),
-      shaders_(shaders) {
-  shaders_.resize(static_cast<std::size_t>(input.executor.threads()));
-  for (PixelShader& shader : shaders_) shader.begin(context_);
+      workers_(workers) {
+  workers_.resize(static_cast<std::size_t>(input.executor.threads()));
+  for (ShadeWorker& worker : workers_) {
+    worker.pixel.begin(context_);
+    worker.row.begin(rows_);
+  }
   const bool needs_layers = target.colour.data != nullptr && may_be_translucent(input.scene, input.settings);
   layers_.clear(needs_layers ? input.rect.width : 0, needs_layers ? input.rect.height : 0);
 }
 
 void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& counters) {
-  std::vector<Found> found(shaders_.size());
+  for (ShadeWorker& worker : workers_) {
+    worker.shaded = 0;
+    worker.translucent_box = {};
+  }
   if (needs_surfaces_) {
     const TileGrid grid({0, 0, buffer.width(), buffer.height()});
-    for_each(static_cast<std::size_t>(grid.count()), [&](std::size_t i, std::size_t worker) {
+    for_each(static_cast<std::size_t>(grid.count()), [&](std::size_t i, ShadeWorker& worker) {
       const Rect tile{grid.left(static_cast<int>(i)), grid.top(static_cast<int>(i)), tile_size, tile_size};
-      shade_tile(buffer, intersect(tile, grid.target), shaders_[worker], found[worker]);
+      shade_tile(buffer, intersect(tile, grid.target), worker);
     });
   } else {
-    const int bands = (buffer.height() + band_height - 1) / band_height;
-    for_each(static_cast<std::size_t>(bands), [&](std::size_t i, std::size_t worker) {
-      const int top = static_cast<int>(i) * band_height;
-      const Rect band{0, top, buffer.width(), std::min(band_height, buffer.height() - top)};
-      found[worker].shaded += shade_stored(buffer, band);
+    for_each_band(0, buffer.height(), [&](int top, int bottom, ShadeWorker& worker) {
+      worker.shaded += shade_stored(buffer, {0, top, buffer.width(), bottom - top});
     });
   }
   translucent_box_ = {};
-  for (const Found& part : found) {
-    counters.pixels_shaded += part.shaded;
-    translucent_box_ = united(translucent_box_, part.translucent_box);
+  for (const ShadeWorker& worker : workers_) {
+    counters.pixels_shaded += worker.shaded;
+    translucent_box_ = united(translucent_box_, worker.translucent_box);
   }
   counters.layers = 1;
 }
@@ -72,11 +78,20 @@ void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& cou
 template <typename Function>
 void ShadeStage::for_each(std::size_t count, const Function& function) {
   if (input_.settings.shader) {
-    for (std::size_t i = 0; i < count; ++i) function(i, 0);
+    for (std::size_t i = 0; i < count; ++i) function(i, workers_.front());
   } else {
     input_.executor.for_each(
-        count, [&](std::size_t i, int worker) { function(i, static_cast<std::size_t>(worker)); });
+        count, [&](std::size_t i, int worker) { function(i, workers_[static_cast<std::size_t>(worker)]); });
   }
+}
+
+template <typename Function>
+void ShadeStage::for_each_band(int top, int bottom, const Function& function) {
+  const int bands = (bottom - top + band_height - 1) / band_height;
+  for_each(static_cast<std::size_t>(bands), [&](std::size_t i, ShadeWorker& worker) {
+    const int first = top + static_cast<int>(i) * band_height;
+    function(first, std::min(bottom, first + band_height), worker);
+  });
 }
 
 /// Writes what follows from the stored depths and ids alone. @return the number of visible pixels
@@ -105,82 +120,92 @@ std::uint64_t ShadeStage::shade_stored(const VisibilityBuffer& buffer, const Rec
   return shade_plain_(rows);
 }
 
-void ShadeStage::shade_tile(const VisibilityBuffer& buffer, const Rect& tile, PixelShader& shader,
-                            Found& found) {
-  found.shaded += shade_stored(buffer, tile);
+void ShadeStage::shade_tile(const VisibilityBuffer& buffer, const Rect& tile, ShadeWorker& worker) {
+  worker.shaded += shade_stored(buffer, tile);
   for (int y = tile.top; y < tile.bottom(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
     const float* const depths = buffer.reversed_depth.row(y);
+    worker.row.start(tile.left + input_.rect.left, y + input_.rect.top);
     for (int begin = tile.left, end = begin; begin < tile.right(); begin = end) {
       while (end < tile.right() && ids[end] == ids[begin]) ++end;
       const ShadeRun run{y, begin, end, ids[begin]};
       if (run.primitive == no_primitive) {
         write_background(run);
       } else {
-        shade_run(run, depths, shader, found);
+        shade_run(run, tile.left, depths, worker);
       }
     }
+    worker.row.finish();
+    for (const RowShader::Stretch& stretch : worker.row.stretches())
+      write_stretch(y, tile.left, stretch, worker);
   }
 }
 
-// Layer after layer, not pixel after pixel: neighbours show the same triangle, which is then set up once.
-void ShadeStage::shade_behind(const FragmentLists& lists, const Rect& part, Counters& counters) {
-  open_part(part);
-  std::uint64_t layers = 1;
-  const std::uint64_t limit = input_.settings.layers;
-  for (; !layers_.open.empty() && (limit == 0 || layers < limit); ++layers) {
-    std::erase_if(layers_.open, [&](const LayerBuffers::OpenPixel& pixel) {
-      const auto list = lists.at(pixel.column + input_.rect.left, pixel.row + input_.rect.top);
-      const std::uint64_t fragment = layers <= list.size() ? list[layers - 1] : 0;
-      if (fragment == 0) return true;
-      ++counters.pixels_shaded;
-      return !shade_further(pixel.column, pixel.row, fragment);
-    });
+void ShadeStage::shade_run(const ShadeRun& run, int left, const float* reversed_depths, ShadeWorker& worker) {
+  PixelShader& shader = worker.pixel;
+  shader.select(run.primitive);
+  const VisiblePrimitive& visible = shader.selected();
+  fill(target_.object_id, run, visible.object);
+  if (visible.plain_colour) fill(target_.colour, run, *visible.plain_colour);
+  if (!input_.needs_points && (visible.plain_colour || target_.colour.data == nullptr)) return;
+  if (worker.row.can_shade(visible)) {
+    worker.row.add(shader, static_cast<std::size_t>(run.begin - left),
+                   static_cast<std::size_t>(run.end - left));
+    return;
   }
-  counters.layers = std::max(counters.layers, layers);
+  for (int x = run.begin; x < run.end; ++x) shade_point(x, run.row, reversed_depths[x], worker);
 }
 
-void ShadeStage::finish() {
-  if (translucent_box_.is_empty()) return;
-  const glm::vec4 background = linear_from_srgb(input_.settings.background);
-  for (int y = 0; y < layers_.colour.height(); ++y) {
-    for (int x = 0; x < layers_.colour.width(); ++x) {
-      if (!layers_.is_translucent.at(x, y)) continue;
-      const glm::vec4 front = layers_.colour.at(x, y);
-      const float behind = (1.0f - front.w) * background.w;
-      const float alpha = front.w + behind;
-      const glm::vec3 premultiplied = glm::vec3(front) + glm::vec3(background) * behind;
-      const glm::vec3 straight = alpha > 0.0f ? premultiplied / alpha : glm::vec3(0.0f);
-      target_.colour.at(x, y) = srgb_from_linear(glm::vec4(straight, alpha));
+/// Writes pixels that the RowShader has done. @param left  its first pixel
+void ShadeStage::write_stretch(int y, int left, const RowShader::Stretch& stretch, ShadeWorker& worker) {
+  const SurfaceRow& row = worker.row.row();
+  const auto [unused, begin, end] = stretch;
+  const std::ptrdiff_t x = left + static_cast<std::ptrdiff_t>(begin);
+  if (target_.metric_depth.data != nullptr) {
+    std::transform(row.metric_depth + begin, row.metric_depth + end, target_.metric_depth.row(y) + x,
+                   [](double depth) { return static_cast<float>(depth); });
+  }
+  if (target_.normal.data != nullptr) {
+    glm::vec3* const normals = target_.normal.row(y) + left;
+    for (std::size_t i = begin; i < end; ++i)
+      normals[i] = {row.normal[0][i], row.normal[1][i], row.normal[2][i]};
+  }
+  if (!rows_.has_colour) return;
+  if (!rows_.has_linear) {
+    Rgba8* const colours = target_.colour.row(y) + left;
+    for (std::size_t i = begin; i < end; ++i) colours[i] = worker.row.codes_at(i);
+  } else if (layers_.colour.is_empty()) {
+    const float* const channels[4] = {row.colour[0] + begin, row.colour[1] + begin, row.colour[2] + begin,
+                                      row.colour[3] + begin};
+    srgb_from_linear(channels, end - begin, target_.colour.row(y) + x);
+  } else {
+    for (std::size_t i = begin; i < end; ++i) {
+      const glm::vec4 colour(row.colour[0][i], row.colour[1][i], row.colour[2][i], row.colour[3][i]);
+      write_colour(left + static_cast<int>(i), y, colour, worker);
     }
   }
 }
 
-void ShadeStage::shade_run(const ShadeRun& run, const float* reversed_depths, PixelShader& shader,
-                           Found& found) {
-  shader.select(run.primitive);
-  fill(target_.object_id, run, shader.selected().object);
-  if (shader.selected().plain_colour) {
-    fill(target_.colour, run, *shader.selected().plain_colour);
-    return;
-  }
-  for (int x = run.begin; x < run.end; ++x) shade_point(x, run.row, reversed_depths[x], shader, found);
-}
-
-void ShadeStage::shade_point(int x, int y, float reversed_depth, PixelShader& shader, Found& found) {
+void ShadeStage::shade_point(int x, int y, float reversed_depth, ShadeWorker& worker) {
+  PixelShader& shader = worker.pixel;
   const SurfacePoint point = shader.surface(x, y, reversed_depth);
   if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
   if (target_.normal.data) target_.normal.at(x, y) = point.shading_normal;
   if (!target_.colour.data) return;
   glm::vec4 colour = shader.colour_of(point);
   if (shader.is_wire(x, y, reversed_depth)) colour = wireframe_ink(colour);
+  write_colour(x, y, colour, worker);
+}
+
+void ShadeStage::write_colour(int x, int y, const glm::vec4& colour, ShadeWorker& worker) {
   // Where nothing is translucent, less than 1 is the rounding of an interpolation.
   if (colour.w >= 1.0f || layers_.colour.is_empty()) {
     target_.colour.at(x, y) = srgb_from_linear(colour);
-  } else {
-    open(x, y, found);
-    add_behind(x, y, colour);
+    return;
   }
+  layers_.is_translucent.at(x, y) = 1;
+  worker.translucent_box = united(worker.translucent_box, {x + input_.rect.left, y + input_.rect.top, 1, 1});
+  add_behind(colour, layers_.colour.at(x, y));
 }
 
 void ShadeStage::write_background(const ShadeRun& run) {
@@ -195,35 +220,59 @@ void ShadeStage::write_background(const ShadeRun& run) {
   }
 }
 
-void ShadeStage::open(int x, int y, Found& found) {
-  layers_.is_translucent.at(x, y) = 1;
-  found.translucent_box = united(found.translucent_box, {x + input_.rect.left, y + input_.rect.top, 1, 1});
+// Layer after layer, not pixel after pixel: neighbours show the same triangle, which is then set up once.
+void ShadeStage::shade_behind(const FragmentLists& lists, const Rect& part, Counters& counters) {
+  for (ShadeWorker& worker : workers_) worker.shaded = worker.layers = 0;
+  const std::uint64_t limit = input_.settings.layers;
+  for_each_band(part.top, part.bottom(), [&](int top, int bottom, ShadeWorker& worker) {
+    open_band({part.left, top, part.width, bottom - top}, worker);
+    std::uint64_t layers = 1;
+    for (; !worker.open.empty() && (limit == 0 || layers < limit); ++layers) {
+      std::erase_if(worker.open, [&](const LayerBuffers::OpenPixel& pixel) {
+        const auto list = lists.at(pixel.column + input_.rect.left, pixel.row + input_.rect.top);
+        const std::uint64_t fragment = layers <= list.size() ? list[layers - 1] : 0;
+        if (fragment == 0) return true;
+        ++worker.shaded;
+        return !shade_further(pixel.column, pixel.row, fragment, worker.pixel);
+      });
+    }
+    worker.layers = std::max(worker.layers, layers);
+  });
+  for (const ShadeWorker& worker : workers_) {
+    counters.pixels_shaded += worker.shaded;
+    counters.layers = std::max(counters.layers, worker.layers);
+  }
 }
 
-void ShadeStage::open_part(const Rect& part) {
-  layers_.open.clear();
-  for (int y = part.top - input_.rect.top; y < part.bottom() - input_.rect.top; ++y) {
-    for (int x = part.left - input_.rect.left; x < part.right() - input_.rect.left; ++x) {
+/// @param band  picture pixels
+void ShadeStage::open_band(const Rect& band, ShadeWorker& worker) const {
+  worker.open.clear();
+  for (int y = band.top - input_.rect.top; y < band.bottom() - input_.rect.top; ++y) {
+    for (int x = band.left - input_.rect.left; x < band.right() - input_.rect.left; ++x) {
       if (!layers_.is_translucent.at(x, y)) continue;
-      layers_.open.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
+      worker.open.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
     }
   }
 }
 
 /// @return whether a further layer may still show
-bool ShadeStage::add_behind(int x, int y, const glm::vec4& colour) {
-  const float alpha = colour.w > 0.0f ? (colour.w < 1.0f ? colour.w : 1.0f) : 0.0f;
-  glm::vec4& front = layers_.colour.at(x, y);
-  const float share = (1.0f - front.w) * alpha;
-  front = glm::vec4(glm::vec3(front) + glm::vec3(colour) * share, front.w + share);
-  return alpha < 1.0f;
+bool ShadeStage::shade_further(int x, int y, std::uint64_t fragment, PixelShader& shader) {
+  shader.select(primitive_of(fragment));
+  const glm::vec4 colour = shader.colour_of(shader.surface(x, y, reversed_depth_of(fragment)));
+  return add_behind(colour, layers_.colour.at(x, y));
 }
 
-/// @return whether a further layer may still show
-bool ShadeStage::shade_further(int x, int y, std::uint64_t fragment) {
-  PixelShader& shader = shaders_.front();
-  shader.select(primitive_of(fragment));
-  return add_behind(x, y, shader.colour_of(shader.surface(x, y, reversed_depth_of(fragment))));
+void ShadeStage::finish() {
+  if (translucent_box_.is_empty()) return;
+  const glm::vec4 background = linear_from_srgb(input_.settings.background);
+  for_each_band(0, layers_.colour.height(), [&](int top, int bottom, ShadeWorker&) {
+    for (int y = top; y < bottom; ++y) {
+      for (int x = 0; x < layers_.colour.width(); ++x) {
+        if (!layers_.is_translucent.at(x, y)) continue;
+        target_.colour.at(x, y) = over_background(layers_.colour.at(x, y), background);
+      }
+    }
+  });
 }
 
 }  // namespace velum

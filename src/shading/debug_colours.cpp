@@ -38,18 +38,26 @@ Rgba8 rgb_from_hsv(std::uint32_t hue, std::uint32_t saturation, std::uint32_t va
 }  // namespace
 
 glm::vec4 colour_of_codes(const glm::vec3& values) {
-  return linear_from_srgb(Rgba8{code(values.x), code(values.y), code(values.z), 255});
+  return linear_from_srgb(codes_of(values));
+}
+
+Rgba8 codes_of(const glm::vec3& values) {
+  return {code(values.x), code(values.y), code(values.z), 255};
 }
 
 glm::vec4 normal_colour(const glm::vec3& unit_normal) {
-  return colour_of_codes((unit_normal + 1.0f) * 0.5f);
+  return colour_of_codes(normal_values(unit_normal));
 }
 
-glm::vec4 depth_colour(double metric_depth, const MetricRange& range) {
+glm::vec3 depth_values(double metric_depth, const MetricRange& range) {
   constexpr double darkest = 0.1;
   const double extent = range.farthest - range.nearest;
   const double share = extent > 0.0 ? (metric_depth - range.nearest) / extent : 0.0;
-  return colour_of_codes(glm::vec3(static_cast<float>(1.0 - (1.0 - darkest) * share)));
+  return glm::vec3(static_cast<float>(1.0 - (1.0 - darkest) * share));
+}
+
+glm::vec4 depth_colour(double metric_depth, const MetricRange& range) {
+  return colour_of_codes(depth_values(metric_depth, range));
 }
 
 // Multiples of irrational numbers modulo 1 spread evenly (Weyl 1916) and put neighbours far apart: hue by the

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "../shading/surface_rows.hpp"
+#include "pixel_shader.hpp"
+
+namespace velum {
+
+/// What the vector kernels are to find out, the same for every pixel of a frame.
+struct RowContext {
+  RowContext(const ShadeContext& shade_context, const PictureTarget& target);
+
+  const ShadeContext& context;
+  bool is_used;     ///< a vector instruction set, and no custom shader or wireframe
+  bool has_colour;  ///< surfaces give the colour; otherwise it is not wanted or follows from the id
+  bool has_linear;  ///< … as linear colours, which may be translucent; otherwise as codes
+  SurfaceNeeds needs;
+  std::vector<RowLight> lights;
+  InterpolateSurface interpolate = nullptr;
+  LightRow light = nullptr;
+};
+
+/// Shades neighbouring pixels of triangles together, at most most_row_pixels of a row at a time; each worker
+/// has its own.
+class RowShader {
+ public:
+  /// @param context  must outlive every further call
+  void begin(const RowContext& context) { context_ = &context; }
+
+  /// Whether the pixels of a primitive may be added: it is no line, has area, and shows no texture.
+  bool can_shade(const VisiblePrimitive& primitive) const;
+
+  /// Begins with the pixel (x, y) of the whole picture, whose index is 0.
+  void start(int x, int y);
+  /// Pixels of the primitive that is selected. @pre can_shade() it; not before the pixels already added
+  void add(PixelShader& shader, std::size_t begin, std::size_t end);
+  /// Lights what was added.
+  void finish();
+
+  /// Neighbouring pixels that were added, all of one material where that matters.
+  struct Stretch {
+    const Material* material;
+    std::size_t begin, end;
+  };
+  std::span<const Stretch> stretches() const { return {stretches_.data(), stretch_count_}; }
+  const SurfaceRow& row() const { return row_; }
+  /// What a debug view shows of a pixel. @pre !RowContext::has_linear
+  Rgba8 codes_at(std::size_t i) const;
+
+ private:
+  void light(const Stretch& stretch);
+
+  const RowContext* context_ = nullptr;
+  int x_ = 0;
+  int y_ = 0;
+  std::size_t stretch_count_ = 0;
+  std::array<Stretch, most_row_pixels> stretches_{};
+  SurfaceRow row_{};
+};
+
+}  // namespace velum
