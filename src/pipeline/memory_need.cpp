@@ -37,7 +37,7 @@ bool shows_opacity(Shading shading) {
 }  // namespace
 
 bool may_be_translucent(const Scene& scene, const RenderSettings& settings) {
-  if (settings.shader) return true;
+  if (settings.has_custom_shader()) return true;
   if (!shows_opacity(settings.shading)) return false;
   const auto opaque = [](const auto& thing) { return is_opaque(thing); };
   return !std::all_of(scene.materials().begin(), scene.materials().end(), opaque) ||

@@ -53,7 +53,7 @@ bool ShadeContext::has_plain_triangles() const {
   const Shading shading = input.settings.shading;
   const bool is_plain =
       shading == Shading::flat || shading == Shading::object_id || shading == Shading::triangle_id;
-  return is_plain && !input.settings.shader && input.wireframe == nullptr;
+  return is_plain && !input.settings.has_custom_shader() && input.wireframe == nullptr;
 }
 
 void PixelShader::begin(const ShadeContext& context) {
@@ -134,10 +134,21 @@ SurfacePoint PixelShader::surface(int x, int y, float reversed_depth) const {
 
 glm::vec4 PixelShader::colour_of(const SurfacePoint& point) const {
   const RenderSettings& settings = context_->input.settings;
+  if (settings.inlined_shader) {
+    glm::vec4 colour;
+    settings.inlined_shader(&point, 1, &colour);
+    return colour;
+  }
   if (settings.shader) return settings.shader(point);
   if (point.kind != PrimitiveKind::triangle)
     return shade_line(settings.shading, context_->lighting, point, context_->range);
   return shade(settings.shading, context_->lighting, selected_->lit, point, context_->range);
+}
+
+void PixelShader::colours_of(const SurfacePoint* points, std::size_t count, glm::vec4* colours) const {
+  const ShaderRef& shader = context_->input.settings.inlined_shader;
+  if (shader) return shader(points, count, colours);
+  for (std::size_t i = 0; i < count; ++i) colours[i] = colour_of(points[i]);
 }
 
 bool PixelShader::is_wire(int x, int y, float reversed_depth) const {

@@ -71,6 +71,7 @@ class PixelShader {
   SurfacePoint surface(int x, int y, float reversed_depth) const;
   /// Linear, straight alpha.
   glm::vec4 colour_of(const SurfacePoint& point) const;
+  void colours_of(const SurfacePoint* points, std::size_t count, glm::vec4* colours) const;
   /// Whether an edge of the wireframe is seen at a pixel of the buffer.
   bool is_wire(int x, int y, float reversed_depth) const;
 

@@ -30,7 +30,8 @@ RowContext::RowContext(const ShadeContext& shade_context, const PictureTarget& t
   const RenderSettings& settings = context.input.settings;
   const Shading shading = settings.shading;
   const bool wants_colour = target.colour.data != nullptr;
-  is_used = settings.isa != Isa::reference && !settings.shader && context.input.wireframe == nullptr;
+  is_used =
+      settings.isa != Isa::reference && !settings.has_custom_shader() && context.input.wireframe == nullptr;
   has_colour = wants_colour && shading != Shading::object_id && shading != Shading::triangle_id;
   has_linear = has_colour && is_lit(shading);
   needs.viewer = wants_colour && shading == Shading::phong;

@@ -9,6 +9,7 @@
 #include "../base/rect.hpp"
 #include "../image/colour.hpp"
 #include "../raycast/accelerator_kind.hpp"
+#include "../shading/shader_ref.hpp"
 #include "../shading/shading.hpp"
 #include "../shading/surface_point.hpp"
 #include "../shading/texture_filter.hpp"
@@ -49,6 +50,8 @@ struct RenderSettings {
   DepthFormat depth_format = DepthFormat::reversed;  ///< for teaching: other formats see less
   Shading shading = Shading::phong;
   Shader shader{};  ///< custom shading; replaces `shading` where set; called on the calling thread only
+  ShaderRef
+      inlined_shader{};  ///< replaces both where set; called on several threads at once. See render_with()
   TextureFilter texture_filter = TextureFilter::trilinear;
   Cull cull = Cull::none;
   float line_width = 1.0f;     ///< of segments and of the wireframe, pixels, 1 … 256
@@ -61,6 +64,8 @@ struct RenderSettings {
   Isa isa = Isa::best;                        ///< instructions of the vector kernels; the bytes are the same
   std::uint64_t memory_ceiling = 0;  ///< bytes for outputs and buffers; 0: half of the machine's memory
   Progress progress{};
+
+  bool has_custom_shader() const { return inlined_shader || shader; }
 };
 
 }  // namespace velum

@@ -44,6 +44,7 @@ ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, Lay
       workers_(workers) {
   workers_.resize(static_cast<std::size_t>(input.executor.threads()));
   for (ShadeWorker& worker : workers_) {
+    worker.points.resize(most_row_pixels);
     worker.pixel.begin(context_);
     worker.row.begin(rows_);
   }
@@ -77,7 +78,7 @@ void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& cou
 
 template <typename Function>
 void ShadeStage::for_each(std::size_t count, const Function& function) {
-  if (input_.settings.shader) {
+  if (input_.settings.shader && !input_.settings.inlined_shader) {
     for (std::size_t i = 0; i < count; ++i) function(i, workers_.front());
   } else {
     input_.executor.for_each(
@@ -153,7 +154,7 @@ void ShadeStage::shade_run(const ShadeRun& run, int left, const float* reversed_
                    static_cast<std::size_t>(run.end - left));
     return;
   }
-  for (int x = run.begin; x < run.end; ++x) shade_point(x, run.row, reversed_depths[x], worker);
+  shade_points(run, reversed_depths, worker);
 }
 
 /// Writes pixels that the RowShader has done. @param left  its first pixel
@@ -186,15 +187,24 @@ void ShadeStage::write_stretch(int y, int left, const RowShader::Stretch& stretc
   }
 }
 
-void ShadeStage::shade_point(int x, int y, float reversed_depth, ShadeWorker& worker) {
+/// Pixels that the vector kernels leave out, or a custom shader takes.
+void ShadeStage::shade_points(const ShadeRun& run, const float* reversed_depths, ShadeWorker& worker) {
   PixelShader& shader = worker.pixel;
-  const SurfacePoint point = shader.surface(x, y, reversed_depth);
-  if (target_.metric_depth.data) target_.metric_depth.at(x, y) = static_cast<float>(point.metric_depth);
-  if (target_.normal.data) target_.normal.at(x, y) = point.shading_normal;
+  for (int x = run.begin; x < run.end; ++x) {
+    SurfacePoint& point = worker.points[static_cast<std::size_t>(x - run.begin)];
+    point = shader.surface(x, run.row, reversed_depths[x]);
+    if (target_.metric_depth.data)
+      target_.metric_depth.at(x, run.row) = static_cast<float>(point.metric_depth);
+    if (target_.normal.data) target_.normal.at(x, run.row) = point.shading_normal;
+  }
   if (!target_.colour.data) return;
-  glm::vec4 colour = shader.colour_of(point);
-  if (shader.is_wire(x, y, reversed_depth)) colour = wireframe_ink(colour);
-  write_colour(x, y, colour, worker);
+  shader.colours_of(worker.points.data(), static_cast<std::size_t>(run.end - run.begin),
+                    worker.colours.data());
+  for (int x = run.begin; x < run.end; ++x) {
+    const glm::vec4& colour = worker.colours[static_cast<std::size_t>(x - run.begin)];
+    const bool is_wire = shader.is_wire(x, run.row, reversed_depths[x]);
+    write_colour(x, run.row, is_wire ? wireframe_ink(colour) : colour, worker);
+  }
 }
 
 void ShadeStage::write_colour(int x, int y, const glm::vec4& colour, ShadeWorker& worker) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace velum {
 struct ShadeWorker {
   PixelShader pixel;
   RowShader row;
+  std::vector<SurfacePoint> points;  ///< of a run
+  std::array<glm::vec4, most_row_pixels> colours{};
   std::vector<LayerBuffers::OpenPixel> open;  ///< of the band being shaded
   std::uint64_t shaded = 0;
   std::uint64_t layers = 0;
@@ -56,7 +59,7 @@ class ShadeStage {
   void shade_tile(const VisibilityBuffer& buffer, const Rect& tile, ShadeWorker& worker);
   void shade_run(const ShadeRun& run, int left, const float* reversed_depths, ShadeWorker& worker);
   void write_stretch(int y, int left, const RowShader::Stretch& stretch, ShadeWorker& worker);
-  void shade_point(int x, int y, float reversed_depth, ShadeWorker& worker);
+  void shade_points(const ShadeRun& run, const float* reversed_depths, ShadeWorker& worker);
   void write_colour(int x, int y, const glm::vec4& colour, ShadeWorker& worker);
   void write_background(const ShadeRun& run);
   void open_band(const Rect& band, ShadeWorker& worker) const;

@@ -13,7 +13,7 @@ using velum::test::moved;
 
 namespace {
 
-constexpr int width = 150, height = 131;
+constexpr int width = 75, height = 67;
 
 /// Opaque and translucent solids, some smooth, among lines.
 Scene solids_and_glass() {
@@ -111,6 +111,40 @@ TEST_CASE("every shading, with every instruction set, for every set of outputs")
     settings.wireframe = true;
     check_every_isa(scene, settings, {true, true, true, true});
   }
+}
+
+TEST_CASE(
+    "a shader that is compiled in gives the bytes of the same one as a function, on any number of threads") {
+  const Scene scene = solids_and_glass();
+  const auto shader = [](const SurfacePoint& point) {
+    const float share = point.x % 3 == 0 ? 0.5f : 1.0f;
+    return glm::vec4(point.barycentric * 0.5f + point.shading_normal * 0.25f + 0.25f, share);
+  };
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  for (const bool wireframe : {false, true}) {
+    settings.wireframe = wireframe;
+    settings.inlined_shader = {};
+    settings.shader = shader;
+    const Picture expected = rendered(scene, settings, {true, true, true, true});
+    settings.shader = [](const SurfacePoint&) { return glm::vec4(0.0f); };  // replaced
+    settings.inlined_shader = ShaderRef(shader);
+    for (const int threads : {1, 2, 7}) {
+      settings.threads = threads;
+      check_same(rendered(scene, settings, {true, true, true, true}), expected);
+    }
+  }
+}
+
+TEST_CASE("what a compiled-in shader throws ends the render") {
+  const Scene scene = meeting_solids();
+  const Camera camera = frame(scene.bounds(), projection::perspective());
+  const auto shader = [](const SurfacePoint& point) -> glm::vec4 {
+    if (point.object == 1) throw 5;
+    return glm::vec4(1.0f);
+  };
+  CHECK_THROWS_AS(render_with(scene, camera, {.width = 100, .height = 100}, shader), int);
 }
 
 TEST_CASE("further layers on any number of threads") {
