@@ -16,6 +16,7 @@ Image<std::uint32_t> ids_by(VisibilityMethod method, const Scene& scene, const C
   settings.depth_format = DepthFormat::reversed;
   settings.shading = Shading::triangle_id;
   settings.shader = nullptr;
+  settings.inlined_shader = {};
   settings.layers = 1;
   return std::move(render(scene, camera, settings).triangle_id);
 }
