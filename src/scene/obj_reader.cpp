@@ -37,6 +37,7 @@ class ObjBuilder {
   };
 
   void read_library(const std::filesystem::path& path);
+  void tell_of_libraries(const std::string& what, std::size_t count, const std::string& first);
   void triangulate();
   void complete_normals();
   bool has_normal(const ObjCorner& corner) const;
@@ -63,14 +64,19 @@ class ObjBuilder {
 
 void ObjBuilder::read_libraries(const std::filesystem::path& directory) {
   std::set<std::filesystem::path> seen;
-  std::size_t missing = 0;
-  std::string first_missing;
+  std::size_t missing = 0, broken = 0;
+  std::string first_missing, first_fault;
   const auto read_once = [&](std::string_view named) {
     std::error_code ignored;
     if (directory.empty() || named.empty()) return false;
     const std::filesystem::path path = beside(directory, named);
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
-    if (seen.insert(path.lexically_normal()).second) read_library(path);
+    if (!seen.insert(path.lexically_normal()).second) return true;
+    try {
+      read_library(path);
+    } catch (const Error& error) {  // the mesh is worth more than its colours
+      if (broken++ == 0) first_fault = error.what();
+    }
     return true;
   };
   for (const std::string_view names : in_.libraries) {
@@ -81,16 +87,21 @@ void ObjBuilder::read_libraries(const std::filesystem::path& directory) {
       if (!read_once(one) && missing++ == 0) first_missing = quoted(one);
     }
   }
-  if (missing == 0) return;
-  in_.notes.push_back(std::to_string(missing) +
-                      " material libraries are not found beside the file, the first is " + first_missing +
-                      "; their materials are the default one");
+  tell_of_libraries("not found beside the file, the first is ", missing, first_missing);
+  tell_of_libraries("read only as far as a fault, the first is ", broken, first_fault);
 }
 
 void ObjBuilder::read_library(const std::filesystem::path& path) {
   const std::vector<std::byte> bytes = read_file(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   read_mtl(text, path.string(), path.parent_path(), library_, in_.notes);
+}
+
+void ObjBuilder::tell_of_libraries(const std::string& what, std::size_t count, const std::string& first) {
+  if (count == 0) return;
+  in_.notes.push_back(std::to_string(count) +
+                      (count == 1 ? " material library is " : " material libraries are ") + what + first +
+                      "; their materials are the default one");
 }
 
 void ObjBuilder::triangulate() {

@@ -18,7 +18,7 @@ namespace velum {
 /// Corners without a normal get a smooth one, over all faces of the file that share the position, or the
 /// triangle's own. Without any face, line or point element every vertex is drawn as a
 /// point. What had to be left out or assumed, a
-/// missing library too, is told in Scene::notes.
+/// library that is missing, or read only as far as a fault, too, is told in Scene::notes.
 /// @param directory  where libraries are looked for; empty: they are not read
 /// @throws Error (read) with file:line
 Scene read_obj(std::string_view text, const std::string& name, const std::filesystem::path& directory,

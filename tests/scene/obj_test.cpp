@@ -282,6 +282,24 @@ TEST_CASE("OBJ: libraries beside the file, with blanks in names, several in a li
   CHECK(contains(scene.notes[1], "b.png"));  // is not there
 }
 
+TEST_CASE("OBJ: a broken library costs its materials from the fault on, not the mesh") {
+  const Folder folder("broken");
+  folder.write("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 one\nnewmtl green\nKd 0 1 0\n");
+  folder.write("b.mtl", "Kd 1 0 0\n");
+  folder.write("c.mtl", "newmtl white\nKd 1 1 1\n");
+  folder.write("a.obj", with_square("mtllib a.mtl b.mtl c.mtl\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\n"
+                                    "usemtl white\nf 1 3 4\n"));
+  const Scene scene = folder.load("a.obj");
+  REQUIRE(scene.materials().size() == 4);
+  CHECK(scene.materials()[1].base_colour == glm::vec3(1, 0, 0));
+  CHECK(scene.materials()[2].base_colour == velum::Material{}.base_colour);
+  CHECK(scene.materials()[3].base_colour == glm::vec3(1, 1, 1));
+  REQUIRE(scene.notes.size() == 2);
+  CHECK(has_note(scene, "2 material libraries are read only as far as a fault, the first is"));
+  CHECK(has_note(scene, "a.mtl:4: a colour is not a number"));
+  CHECK(has_note(scene, "no library has the material \"blue\""));
+}
+
 TEST_CASE("OBJ: a library that is named in two ways is read once") {
   const Folder folder("twice");
   folder.write("a.mtl", "newmtl red\nKd 1 0 0\nmap_Bump b.png\n");
