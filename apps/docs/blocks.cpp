@@ -7,9 +7,10 @@ namespace {
 std::string commands_block(const Subject& subject) {
   const std::string triangle = std::to_string(subject.triangle.primitive);
   const std::string pixel = std::to_string(subject.pixel.x) + "," + std::to_string(subject.pixel.y);
-  return "```sh\nvelum render " + subject.options + " --visibility scanline -o small.png\nvelum clip-trace " +
-         subject.options + " --triangle " + triangle + " -o clip.png\nvelum pixel " + subject.options +
-         " --at " + pixel + " -o pixel.png\n```\n";
+  return "```sh\nvelum render " + subject.options +
+         " --visibility scanline --clip exact -o small.png\nvelum clip-trace " + subject.options +
+         " --triangle " + triangle + " -o clip.png\nvelum pixel " + subject.options + " --clip exact --at " +
+         pixel + " -o pixel.png\n```\n";
 }
 
 }  // namespace

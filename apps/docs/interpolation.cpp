@@ -48,6 +48,7 @@ RenderSettings scanline(int width, int height) {
   settings.width = width;
   settings.height = height;
   settings.visibility = VisibilityMethod::scanline;
+  settings.clip = ClipPolicy::exact;
   settings.shading = Shading::triangle_id;
   return settings;
 }

@@ -34,6 +34,7 @@ Subject make_subject() {
   RenderSettings settings;
   settings.width = 32;
   settings.height = 24;
+  settings.clip = ClipPolicy::exact;
   settings.background = {255, 255, 255, 255};
   const TriangleTrace triangle = trace_triangle(scene, camera, settings, followed);
   const std::array<glm::dvec4, 3>& v = triangle.assembled.vertices;

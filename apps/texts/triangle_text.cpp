@@ -66,7 +66,7 @@ class Writer {
     line("clip", tuple_text(vertex.clip) + "  by the product of all matrices");
     line("outcode", outcode_text(vertex.code));
     if (vertex.is_in_front()) {
-      write_place(place_on_picture(vertex.clip, viewport()));
+      write_place(place_on_picture(vertex.clip, viewport(), trace_.assembled.volume));
     } else {
       line("canonical: / w", "none: w is not positive, the vertex is not in front of the eye");
     }
@@ -82,7 +82,7 @@ class Writer {
     line("pixel", "x' = " + std::to_string(settings_.width) + "/2 * (" + long_text(point.ndc.x) +
                       " + 1) = " + long_text(point.pixel.x) + "   y' = " + std::to_string(settings_.height) +
                       "/2 * (1 - " + operand_text(point.ndc.y) + ") = " + long_text(point.pixel.y));
-    if (outcode(point.clip) != 0) return;
+    if (!point.is_snapped) return;
     line("snapped", "floor(256 x' + 1/2) = " + std::to_string(point.snapped.x) +
                         "   floor(256 y' + 1/2) = " + std::to_string(point.snapped.y));
   }
@@ -113,13 +113,23 @@ class Writer {
         return line("", "rejected: all vertices are outside of one plane (" +
                             plane_names(trace_.assembled.all_outside) + ")");
       case TriangleFate::accepted:
-        return line("", "accepted: no vertex is outside of any plane");
+        return line("", trace_.assembled.some_outside == 0
+                            ? "accepted: no vertex is outside of any plane"
+                            : "accepted: in the guard band around the picture nothing needs to be cut");
       case TriangleFate::to_clip:
         break;
     }
-    line("", trace_.pieces.empty()
-                 ? "cut, and nothing is left"
-                 : "cut by: " + plane_names(trace_.cut_by) + " (velum clip-trace shows how)");
+    line("", trace_.pieces.empty() ? "cut, and nothing is left"
+                                   : "cut by: " + plane_names(trace_.cut_by) + how_text());
+  }
+
+  /// The guard band's sides have the view volume's names.
+  std::string how_text() const {
+    constexpr unsigned near_and_far = 3;
+    if (settings_.clip == ClipPolicy::exact || (trace_.cut_by & ~near_and_far) == 0) {
+      return " (velum clip-trace shows how)";
+    }
+    return " of the guard band (velum clip-trace shows how the view volume itself would cut)";
   }
 
   /// The corners of a cut triangle; those of a whole one stand at its vertices.

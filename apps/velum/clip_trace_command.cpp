@@ -49,6 +49,7 @@ int run(const ClipTraceOptions& o) {
   RenderSettings settings;
   settings.width = view.size.width;
   settings.height = view.size.height;
+  settings.clip = ClipPolicy::exact;
   std::vector<Output> outputs;
   if (o.picture) outputs.push_back({OutputKind::colour, "--output", *o.picture});
   check_outputs(outputs);

@@ -13,6 +13,7 @@
 #include "trace_json.hpp"
 #include "triangle_text.hpp"
 #include "verb.hpp"
+#include "visibility_options.hpp"
 
 namespace velum_app {
 namespace {
@@ -25,6 +26,7 @@ struct PixelOptions {
   std::string cull = "none", radius = "4";
   CameraOptions camera;
   LineOptions lines;
+  ClipOption clip;
   std::optional<std::string> picture;
   bool json = false;
 };
@@ -72,6 +74,7 @@ int run(const PixelOptions& o) {
   settings.height = view.size.height;
   settings.cull = cull_names.at(o.cull);
   o.lines.apply_to(settings);
+  o.clip.apply_to(settings);
   std::vector<Output> outputs;
   if (o.picture) outputs.push_back({OutputKind::colour, "--output", *o.picture});
   const PixelDrawing drawing = drawing_from(o);
@@ -113,6 +116,7 @@ Verb add_pixel(CLI::App& program) {
   parser->add_option("--cull", options->cull, "Triangles left out by the way they face (default: none)")
       ->check(CLI::IsMember(&cull_names));
   options->lines.add_to(*parser);
+  options->clip.add_to(*parser);
   options->camera.add_to(*parser);
   parser->footer(footer);
   return {parser, [options] { return run(*options); }};

@@ -94,7 +94,7 @@ Json place_json(const PlacedPoint& point) {
             {"ndc", json_of(point.ndc)},
             {"pixel", Json::array({point.pixel.x, point.pixel.y})},
             {"snapped", nullptr}};
-  if (outcode(point.clip) == 0) json["snapped"] = json_of_snapped(point.snapped);
+  if (point.is_snapped) json["snapped"] = json_of_snapped(point.snapped);
   return json;
 }
 

@@ -23,6 +23,9 @@ const std::map<std::string, DepthFormat> depth_format_names{{"reversed", DepthFo
                                                             {"16", DepthFormat::z16},
                                                             {"8", DepthFormat::z8}};
 
+const std::map<std::string, ClipPolicy> clip_names{{"guard", ClipPolicy::guard},
+                                                   {"exact", ClipPolicy::exact}};
+
 std::map<std::string, AcceleratorKind> accelerator_map() {
   std::map<std::string, AcceleratorKind> names;
   for (const AcceleratorName& name : accelerator_names()) names.emplace(name.name, name.kind);
@@ -36,6 +39,17 @@ std::map<std::string, Isa> isa_names() {
 }
 
 }  // namespace
+
+void ClipOption::add_to(CLI::App& parser) {
+  parser
+      .add_option("--clip", policy,
+                  "What cuts triangles: a guard band around the picture (default), or exact: all six planes")
+      ->check(CLI::IsMember(&clip_names));
+}
+
+void ClipOption::apply_to(RenderSettings& settings) const {
+  settings.clip = clip_names.at(policy);
+}
 
 void VisibilityOptions::add_to(CLI::App& parser) {
   parser
@@ -59,6 +73,7 @@ void VisibilityOptions::add_to(CLI::App& parser) {
       .add_option("--depth-format", depth_format,
                   "For teaching: reversed (default), float, or that many bits: 24, 16, 8")
       ->check(CLI::IsMember(&depth_format_names));
+  clip.add_to(parser);
   parser.add_option("--threads", threads, "How many threads; the bytes are the same (default: 0, all)")
       ->check(CLI::Range(0, most_threads))
       ->type_name("N");
@@ -73,6 +88,7 @@ void VisibilityOptions::apply_to(RenderSettings& settings) const {
   settings.hierarchy.use = hierarchy_names.at(hierarchy);
   settings.z_interpolation = z_interpolation_names.at(z_interpolation);
   settings.depth_format = depth_format_names.at(depth_format);
+  clip.apply_to(settings);
   settings.threads = threads;
   settings.isa = isa_names().at(isa);
 }

@@ -6,6 +6,14 @@
 
 namespace velum_app {
 
+/// `--clip` as given.
+struct ClipOption {
+  std::string policy = "guard";
+
+  void add_to(CLI::App& parser);
+  void apply_to(velum::RenderSettings& settings) const;
+};
+
 /// `--visibility` and what tells how it works, as given.
 struct VisibilityOptions {
   std::string method = "zbuffer";
@@ -14,6 +22,7 @@ struct VisibilityOptions {
   std::string z_interpolation = "plane";
   std::string depth_format = "reversed";
   std::string isa = "best";
+  ClipOption clip;
   int threads = 0;
 
   void add_to(CLI::App& parser);

@@ -21,7 +21,7 @@ struct Counters {
   std::uint64_t back_facing = 0;  ///< triangles that face away (removed only when culled)
   std::uint64_t edge_on = 0;      ///< homogeneous determinant exactly 0: count as front-facing
   std::uint64_t culled = 0;       ///< removed by the facing test
-  std::uint64_t trivially_accepted = 0;  ///< OR of the outcodes is 0
+  std::uint64_t trivially_accepted = 0;  ///< nothing to cut: no vertex outside the view volume or guard band
   std::uint64_t trivially_rejected = 0;  ///< AND of the outcodes is not 0
   std::uint64_t clipped = 0;             ///< cut by at least one plane, something left
   std::uint64_t clipped_away = 0;        ///< neither accepted nor rejected, but nothing left

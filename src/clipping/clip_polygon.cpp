@@ -20,10 +20,10 @@ struct Codes {
   bool finite = true;
 };
 
-Codes codes_of(std::span<const glm::dvec4> polygon) {
+Codes codes_of(std::span<const glm::dvec4> polygon, const ClipVolume& volume) {
   Codes codes;
   for (const glm::dvec4& vertex : polygon) {
-    const unsigned code = outcode(vertex);
+    const unsigned code = outcode(vertex, volume);
     codes.any |= code;
     codes.all &= code;
     codes.points = codes.points && vertex.w > 0.0;
@@ -38,8 +38,9 @@ Codes codes_of(std::span<const glm::dvec4> polygon) {
 /// ends and the plane only. A step that finds nothing outside is the identity, so it does not matter that one
 /// triangle takes a plane's step and its neighbour skips it; and cut_edge() always goes from the inside to
 /// the outside end, so it does not matter in which direction the edge is walked.
-std::size_t clip_edges(std::span<const glm::dvec4> polygon, ClipPlane plane, glm::dvec4* clipped) {
-  const ClipPlaneRow& row = clip_planes[static_cast<unsigned>(plane)];
+std::size_t clip_edges(std::span<const glm::dvec4> polygon, ClipPlane plane, const ClipVolume& volume,
+                       glm::dvec4* clipped) {
+  const ClipPlaneRow row = plane_of(volume, plane);
   std::size_t count = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const glm::dvec4& from = polygon[i];
@@ -48,8 +49,8 @@ std::size_t clip_edges(std::span<const glm::dvec4> polygon, ClipPlane plane, glm
     const double d_to = signed_value(row, to);
     if (d_from >= 0.0) clipped[count++] = from;
     // A vertex on the plane (d = 0) is its own cut point: no second one.
-    if (d_from > 0.0 && d_to < 0.0) clipped[count++] = cut_edge(from, to, plane).point;
-    if (d_from < 0.0 && d_to > 0.0) clipped[count++] = cut_edge(to, from, plane).point;
+    if (d_from > 0.0 && d_to < 0.0) clipped[count++] = cut_edge(from, to, plane, volume).point;
+    if (d_from < 0.0 && d_to > 0.0) clipped[count++] = cut_edge(to, from, plane, volume).point;
   }
   return count;
 }
@@ -66,19 +67,20 @@ std::size_t tidy(std::span<glm::dvec4> polygon) {
 
 }  // namespace
 
-ClippedPolygon clip_against(const ClippedPolygon& polygon, ClipPlane plane) {
+ClippedPolygon clip_against(const ClippedPolygon& polygon, ClipPlane plane, const ClipVolume& volume) {
   VELUM_REQUIRE(polygon.count >= 0 && polygon.count + polygon.count / 2 <= ClippedPolygon::capacity,
                 {"polygon.count", polygon.count});
   ClippedPolygon clipped;
-  clipped.count = static_cast<int>(clip_edges(polygon.span(), plane, clipped.vertices.data()));
-  const bool cuts = (codes_of(polygon.span()).any & bit(plane)) != 0;
+  clipped.count = static_cast<int>(clip_edges(polygon.span(), plane, volume, clipped.vertices.data()));
+  const bool cuts = (codes_of(polygon.span(), volume).any & bit(plane)) != 0;
   clipped.cut_by = static_cast<Outcode>(polygon.cut_by | (cuts ? bit(plane) : 0u));
   return clipped;
 }
 
-ClippedPolygon clip_triangle(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
+ClippedPolygon clip_triangle(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c,
+                             const ClipVolume& volume) {
   ClippedPolygon polygon{{a, b, c}, 3, 0};
-  const Codes codes = codes_of(polygon.span());
+  const Codes codes = codes_of(polygon.span(), volume);
   if (codes.any == 0 && codes.points && codes.finite) return polygon;  // trivial accept
   if (codes.all != 0 || !codes.finite) {                               // trivial reject
     polygon.count = 0;
@@ -88,23 +90,24 @@ ClippedPolygon clip_triangle(const glm::dvec4& a, const glm::dvec4& b, const glm
     const ClipPlane plane = static_cast<ClipPlane>(i);
     // Asked anew for each plane: a cut can leave a vertex outside a plane that the triangle reached only by
     // rounding.
-    if ((codes_of(polygon.span()).any & bit(plane)) != 0) polygon = clip_against(polygon, plane);
+    if ((codes_of(polygon.span(), volume).any & bit(plane)) != 0)
+      polygon = clip_against(polygon, plane, volume);
   }
   polygon.count = static_cast<int>(tidy({polygon.vertices.data(), static_cast<std::size_t>(polygon.count)}));
   return polygon;
 }
 
 std::vector<glm::dvec4> clip_polygon(std::span<const glm::dvec4> polygon) {
-  const Codes codes = codes_of(polygon);
+  const Codes codes = codes_of(polygon, {});
   if (polygon.size() < 3 || codes.all != 0 || !codes.finite) return {};
   std::vector<glm::dvec4> current(polygon.begin(), polygon.end());
   if (codes.any == 0 && codes.points) return current;
   std::vector<glm::dvec4> next;
   for (int i = 0; i < clip_plane_count; ++i) {
     const ClipPlane plane = static_cast<ClipPlane>(i);
-    if ((codes_of(current).any & bit(plane)) == 0) continue;
+    if ((codes_of(current, {}).any & bit(plane)) == 0) continue;
     next.resize(current.size() + current.size() / 2);
-    next.resize(clip_edges(current, plane, next.data()));
+    next.resize(clip_edges(current, plane, {}, next.data()));
     current.swap(next);
   }
   current.resize(tidy(current));

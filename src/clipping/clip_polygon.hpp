@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "outcode.hpp"
+#include "clip_volume.hpp"
 
 namespace velum {
 
@@ -23,28 +23,30 @@ struct ClippedPolygon {
   std::span<const glm::dvec4> span() const { return {vertices.data(), static_cast<std::size_t>(count)}; }
 };
 
-/// Clips a triangle against the canonical view volume (Sutherland & Hodgman 1974, homogeneous as Blinn &
-/// Newell 1978), plane after plane in table order. The departures from the textbook make it exact where it
-/// can be: each cut goes from the inside to the outside end, *sets* the cut coordinate, and leaves the others
-/// inside the planes that both ends are inside of.
+/// Clips a triangle against the volume, by default the canonical view volume (Sutherland & Hodgman 1974,
+/// homogeneous as Blinn & Newell 1978), plane after plane in table order. The departures from the textbook
+/// make it exact where it can be: each cut goes from the inside to the outside end, *sets* the cut
+/// coordinate, and leaves the others inside the planes that both ends are inside of.
 ///
 /// @param a,b,c  homogeneous clip space, any w (w ≤ 0: behind the eye)
-/// @post every vertex has outcode 0, exactly, and w > 0
+/// @post every vertex has outcode 0 with respect to the volume, exactly, and w > 0
 /// @post a triangle inside the volume comes back bit-identical; so clipping twice changes nothing
 /// @post triangles that share an edge get the same vertices on it, bit for bit
 /// @post no two consecutive vertices are equal, unless the triangle came back as it was
 /// An empty result has count 0: fewer than three vertices are left, or an input is NaN or infinite. A vertex
 /// (0,0,0,0) is no point and is left out (where clipping makes one, the triangle passes through the eye
 /// exactly edge-on and has no area).
-ClippedPolygon clip_triangle(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c);
+ClippedPolygon clip_triangle(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c,
+                             const ClipVolume& volume = {});
 
-/// The same for any convex polygon, in either orientation; fewer than three vertices give an empty result.
+/// The same for any convex polygon and the canonical view volume, in either orientation; fewer than three
+/// vertices give an empty result.
 std::vector<glm::dvec4> clip_polygon(std::span<const glm::dvec4> polygon);
 
 /// One plane's step, for those who want to watch: clips `polygon` against one plane only. clip_triangle() is
 /// these steps in table order, without the vertices that are no point or equal their predecessor.
 /// @pre  polygon.count ≤ capacity·2/3, which clip_triangle()'s own steps keep; finite vertices
 /// @post every vertex is inside `plane` and inside every plane that all vertices of `polygon` are inside of
-ClippedPolygon clip_against(const ClippedPolygon& polygon, ClipPlane plane);
+ClippedPolygon clip_against(const ClippedPolygon& polygon, ClipPlane plane, const ClipVolume& volume = {});
 
 }  // namespace velum

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double k_overflow_scale = 0x1p-4;
 
-const ClipPlaneRow& row_of(ClipPlane plane) {
-  return clip_planes[static_cast<unsigned>(plane)];
-}
-
 /// How much of each end a crossing is made of; the two add up to 1.
 struct Weights {
   double in;
@@ -35,15 +31,15 @@ Weights crossing(const glm::dvec4& in, const glm::dvec4& out, const ClipPlaneRow
 
 /// Never beyond either end, so equal coordinates stay as they are and a positive w stays positive. Rounding
 /// is monotone and the weights are not negative: where x ≤ w (or -x ≤ w, or z ≤ w, or 0 ≤ z) holds at both
-/// ends, it holds for their mixtures too, exactly. (The usual in + t·(out - in) is not monotone in this
-/// sense.)
+/// ends, it holds for their mixtures too, exactly; and so it does with 2ⁿ·w, which rounds as w does. (The
+/// usual in + t·(out - in) is not monotone in this sense.)
 double mix(double in, double out, const Weights& weights) {
   return std::clamp(in * weights.in + out * weights.out, std::min(in, out), std::max(in, out));
 }
 
 /// The plane on the other side of the volume: front ↔ behind, left ↔ right, below ↔ above.
-const ClipPlaneRow& opposite(ClipPlane plane) {
-  return clip_planes[static_cast<unsigned>(plane) ^ 1u];
+ClipPlane opposite(ClipPlane plane) {
+  return static_cast<ClipPlane>(static_cast<unsigned>(plane) ^ 1u);
 }
 
 }  // namespace
@@ -52,15 +48,16 @@ bool is_finite(const glm::dvec4& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-Cut cut_edge(const glm::dvec4& in, const glm::dvec4& out, ClipPlane plane) {
-  const ClipPlaneRow& row = row_of(plane);
+Cut cut_edge(const glm::dvec4& in, const glm::dvec4& out, ClipPlane plane, const ClipVolume& volume) {
+  const ClipPlaneRow row = plane_of(volume, plane);
   const Weights weights = crossing(in, out, row);
   glm::dvec4 point;
   for (int axis = 0; axis < 4; ++axis) point[axis] = mix(in[axis], out[axis], weights);
 
-  // On plane i and inside the opposite one means w ≥ 0 (2w ≥ 0 for x and y, w ≥ z = 0 or z = w ≥ 0 for z),
-  // but the mixture can miss that where the ends have w of different signs.
-  const bool holds = signed_value(opposite(plane), in) >= 0.0 && signed_value(opposite(plane), out) >= 0.0;
+  // On plane i and inside the opposite one means w ≥ 0 (a multiple of w ≥ 0 for x and y, w ≥ z = 0 or z = w ≥
+  // 0 for z), but the mixture can miss that where the ends have w of different signs.
+  const ClipPlaneRow other = plane_of(volume, opposite(plane));
+  const bool holds = signed_value(other, in) >= 0.0 && signed_value(other, out) >= 0.0;
   if (holds) point.w = std::max(point.w, 0.0);
   point[row.axis] = row.bound * point.w + 0.0;  // + 0.0: never -0.0
   return {point, weights.out};

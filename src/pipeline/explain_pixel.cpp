@@ -95,8 +95,8 @@ void collect_instance(const Scene& scene, std::uint32_t index, const ViewingTran
   PixelProbe probe(pixel.x, pixel.y, settings);
   std::vector<ScreenTriangle> pieces;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const AssembledTriangle triangle =
-        assemble(vertices, mesh.triangles[i], mirrored, settings.cull, pixel.counters);
+    const AssembledTriangle triangle = assemble(vertices, mesh.triangles[i], mirrored, settings.cull,
+                                                clip_volume_of(settings), pixel.counters);
     if (triangle.fate != TriangleFate::accepted && triangle.fate != TriangleFate::to_clip) continue;
     pieces.clear();
     set_up(triangle, scene.first_primitive(index) + i, {settings.width, settings.height}, pixel.counters,

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "stages.hpp"
 
 namespace velum {
@@ -18,6 +20,13 @@ void count_planes(Outcode planes, std::uint64_t (&counts)[6]) {
   for (int i = 0; i < clip_plane_count; ++i) counts[i] += (planes >> i) & 1u;
 }
 
+/// The view volume's outcodes are at hand; only where they say so is there more to ask.
+bool needs_cut(const AssembledTriangle& triangle) {
+  if (triangle.some_outside == 0) return false;
+  return std::any_of(triangle.vertices.begin(), triangle.vertices.end(),
+                     [&](const glm::dvec4& v) { return !needs_no_cut(v, triangle.volume); });
+}
+
 TriangleFate fate_of(const AssembledTriangle& triangle, Cull cull, Counters& counters) {
   for (const glm::dvec4& vertex : triangle.vertices) {
     if (!is_finite(vertex)) {
@@ -36,7 +45,7 @@ TriangleFate fate_of(const AssembledTriangle& triangle, Cull cull, Counters& cou
     count_planes(triangle.all_outside, counters.outside);
     return TriangleFate::rejected;
   }
-  if (triangle.some_outside != 0) return TriangleFate::to_clip;
+  if (needs_cut(triangle)) return TriangleFate::to_clip;
   ++counters.trivially_accepted;
   return TriangleFate::accepted;
 }
@@ -74,9 +83,10 @@ void transform_vertices(std::span<const glm::vec3> positions, const glm::dmat4& 
 namespace {
 
 AssembledTriangle assemble(const std::array<glm::dvec4, 3>& vertices, const std::array<Outcode, 3>& outcodes,
-                           bool mirrored, Cull cull, Counters& counters) {
+                           bool mirrored, Cull cull, const ClipVolume& volume, Counters& counters) {
   const unsigned a = outcodes[0], b = outcodes[1], c = outcodes[2];
   AssembledTriangle triangle;
+  triangle.volume = volume;
   triangle.vertices = vertices;
   triangle.all_outside = static_cast<Outcode>(a & b & c);
   triangle.some_outside = static_cast<Outcode>(a | b | c);
@@ -90,16 +100,17 @@ AssembledTriangle assemble(const std::array<glm::dvec4, 3>& vertices, const std:
 }  // namespace
 
 AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indices, bool mirrored, Cull cull,
-                           Counters& counters) {
+                           const ClipVolume& volume, Counters& counters) {
   const auto& [positions, outcodes] = vertices;
   return assemble({positions[indices.x], positions[indices.y], positions[indices.z]},
-                  {outcodes[indices.x], outcodes[indices.y], outcodes[indices.z]}, mirrored, cull, counters);
+                  {outcodes[indices.x], outcodes[indices.y], outcodes[indices.z]}, mirrored, cull, volume,
+                  counters);
 }
 
 AssembledTriangle assemble(const std::array<glm::dvec4, 3>& vertices, bool mirrored, Cull cull,
-                           Counters& counters) {
+                           const ClipVolume& volume, Counters& counters) {
   return assemble(vertices, {outcode(vertices[0]), outcode(vertices[1]), outcode(vertices[2])}, mirrored,
-                  cull, counters);
+                  cull, volume, counters);
 }
 
 void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Viewport& viewport,
@@ -107,7 +118,8 @@ void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Vi
   const bool is_whole = triangle.fate == TriangleFate::accepted;
   ClippedPolygon clipped;
   if (!is_whole) {
-    clipped = clip_triangle(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]);
+    clipped =
+        clip_triangle(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2], triangle.volume);
     if (clipped.count < 3) {
       ++counters.clipped_away;
       return;

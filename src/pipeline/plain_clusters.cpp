@@ -26,8 +26,8 @@ void PlainClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const
   input_.counters.vertices += cluster.positions.size();
   for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
     const std::uint32_t* const corner = &cluster.indices[3 * i];
-    const AssembledTriangle triangle =
-        assemble(vertices_, {corner[0], corner[1], corner[2]}, mirrored, settings.cull, input_.counters);
+    const AssembledTriangle triangle = assemble(vertices_, {corner[0], corner[1], corner[2]}, mirrored,
+                                                settings.cull, clip_volume_of(settings), input_.counters);
     if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
       set_up(triangle, first_primitive + cluster.triangles[i], viewport, input_.counters, screen_triangles_);
     }

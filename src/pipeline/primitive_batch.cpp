@@ -72,7 +72,8 @@ struct RunSetUp {
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t index = scratch.slow[i];
       const AssembledTriangle triangle =
-          assemble(clip_triangle_of(mesh.triangles[index]), mirrored, input.settings.cull, counters);
+          assemble(clip_triangle_of(mesh.triangles[index]), mirrored, input.settings.cull,
+                   clip_volume_of(input.settings), counters);
       if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
         set_up(triangle, first_primitive + index, viewport, counters, scratch.screen_triangles);
       }

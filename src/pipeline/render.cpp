@@ -88,8 +88,8 @@ struct Frame {
 
   void draw_triangles(const Mesh& mesh, std::uint32_t first_primitive, bool mirrored) {
     draw(mesh.triangles.size(), first_primitive, [&](std::size_t i, std::uint32_t primitive, auto& out) {
-      const AssembledTriangle triangle =
-          assemble(buffers.vertices, mesh.triangles[i], mirrored, settings.cull, counters);
+      const AssembledTriangle triangle = assemble(buffers.vertices, mesh.triangles[i], mirrored,
+                                                  settings.cull, clip_volume_of(settings), counters);
       if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
         set_up(triangle, primitive, viewport, counters, out);
       }

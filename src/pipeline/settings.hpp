@@ -7,6 +7,7 @@
 #include "../base/executor.hpp"
 #include "../base/isa.hpp"
 #include "../base/rect.hpp"
+#include "../clipping/clip_volume.hpp"
 #include "../image/colour.hpp"
 #include "../raycast/accelerator_kind.hpp"
 #include "../shading/shader_ref.hpp"
@@ -54,6 +55,9 @@ struct RenderSettings {
       inlined_shader{};  ///< replaces both where set; called on several threads at once. See render_with()
   TextureFilter texture_filter = TextureFilter::trilinear;
   Cull cull = Cull::none;
+  /// Which planes cut triangles (segments and points: always the view volume's six). Pictures differ only in
+  /// which triangles cover a pixel centre within √2/512 pixel of an edge.
+  ClipPolicy clip = ClipPolicy::guard;
   float line_width = 1.0f;     ///< of segments and of the wireframe, pixels, 1 … 256
   float point_size = 3.0f;     ///< side of the square that a point is drawn as, pixels, 1 … 256
   bool wireframe = false;      ///< edges of the triangles over the picture, hidden ones removed

@@ -5,7 +5,7 @@
 ///
 /// - transform_vertices: object space → clip space, and each vertex's 6-bit outcode
 /// - assemble: one triangle: finite? which way does it face? trivially accepted, rejected, or to be cut?
-/// - clip_triangle (clipping/): the part inside the canonical view volume
+/// - clip_triangle (clipping/): the part between near and far and inside the guard band or the view volume
 /// - set_up: divide, viewport, snapping; the depth plane of the whole triangle; a fan of screen triangles
 /// - rasterize (visibility/): coverage and depth → VisibilityBuffer, by the method of the settings
 /// - or cast_visibility (raycast/): one ray per pixel into the scene, past all the stages above
@@ -59,20 +59,26 @@ enum class TriangleFate { not_finite, culled, rejected, accepted, to_clip };
 /// A triangle of the scene in clip space.
 struct AssembledTriangle {
   std::array<glm::dvec4, 3> vertices;
-  Outcode all_outside = 0;   ///< AND of the outcodes
+  Outcode all_outside = 0;  ///< AND of the outcodes: those of the view volume, whatever it is clipped against
   Outcode some_outside = 0;  ///< OR of the outcodes
   double determinant = 0.0;  ///< homogeneous_determinant: > 0 counter-clockwise in the picture
   Facing facing = Facing::front;
+  ClipVolume volume{};  ///< what it is clipped against
   TriangleFate fate = TriangleFate::accepted;
 };
 
+/// What the settings have triangles clipped against.
+inline ClipVolume clip_volume_of(const RenderSettings& settings) {
+  return clip_volume(settings.clip, settings.width, settings.height);
+}
+
 /// Fetches a triangle and decides its fate; counts it.
 AssembledTriangle assemble(const ClipVertices& vertices, const glm::uvec3& indices, bool mirrored, Cull cull,
-                           Counters& counters);
+                           const ClipVolume& volume, Counters& counters);
 
 /// The same for a triangle whose vertices are at hand.
 AssembledTriangle assemble(const std::array<glm::dvec4, 3>& vertices, bool mirrored, Cull cull,
-                           Counters& counters);
+                           const ClipVolume& volume, Counters& counters);
 
 /// Appends the triangle's pieces (one, or a fan where it was cut) to `out`.
 void set_up(const AssembledTriangle& triangle, std::uint32_t primitive, const Viewport& viewport,

@@ -173,7 +173,7 @@ void TiledClusters::set_up_slow(const ClusterBatch::PlacedMesh& placed, const Me
       return clip_position(placed.clip_from_object, cluster.positions[k]);
     };
     const AssembledTriangle triangle = assemble({vertex(corner[0]), vertex(corner[1]), vertex(corner[2])},
-                                                mirrored, settings.cull, counters);
+                                                mirrored, settings.cull, clip_volume_of(settings), counters);
     if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
       set_up(triangle, first_primitive + cluster.triangles[i], {settings.width, settings.height}, counters,
              worker.scratch.screen_triangles);

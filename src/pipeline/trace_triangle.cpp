@@ -12,19 +12,23 @@ namespace {
 std::vector<PlacedPoint> polygon_of(const TriangleTrace& trace, const Viewport& viewport) {
   if (trace.pieces.empty()) return {};
   const std::array<glm::dvec4, 3>& v = trace.assembled.vertices;
+  const ClipVolume& volume = trace.assembled.volume;
   std::vector<PlacedPoint> polygon;
   if (trace.assembled.fate == TriangleFate::accepted) {
-    for (const glm::dvec4& vertex : v) polygon.push_back(place_on_picture(vertex, viewport));
+    for (const glm::dvec4& vertex : v) polygon.push_back(place_on_picture(vertex, viewport, volume));
     return polygon;
   }
-  const ClippedPolygon clipped = clip_triangle(v[0], v[1], v[2]);
-  for (const glm::dvec4& vertex : clipped.span()) polygon.push_back(place_on_picture(vertex, viewport));
+  const ClippedPolygon clipped = clip_triangle(v[0], v[1], v[2], volume);
+  for (const glm::dvec4& vertex : clipped.span()) {
+    polygon.push_back(place_on_picture(vertex, viewport, volume));
+  }
   return polygon;
 }
 
 Outcode planes_that_cut(const AssembledTriangle& triangle) {
   if (triangle.fate != TriangleFate::to_clip) return 0;
-  return clip_triangle(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]).cut_by;
+  return clip_triangle(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2], triangle.volume)
+      .cut_by;
 }
 
 VertexTrace trace_vertex(std::uint32_t index, const glm::vec3& position, const glm::dmat4& world_from_object,
@@ -38,12 +42,13 @@ VertexTrace trace_vertex(std::uint32_t index, const glm::vec3& position, const g
 
 }  // namespace
 
-PlacedPoint place_on_picture(const glm::dvec4& clip, const Viewport& viewport) {
+PlacedPoint place_on_picture(const glm::dvec4& clip, const Viewport& viewport, const ClipVolume& volume) {
   PlacedPoint point;
   point.clip = clip;
   point.ndc = {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w};
   point.pixel = viewport.pixel_from_ndc(point.ndc.x, point.ndc.y);
-  if (outcode(clip) == 0) point.snapped = snap(clip, viewport);
+  point.is_snapped = needs_no_cut(clip, volume);
+  if (point.is_snapped) point.snapped = snap(clip, viewport);
   return point;
 }
 
@@ -81,7 +86,8 @@ TriangleTrace trace_triangle(const Scene& scene, const Camera& camera, const Ren
     trace.vertices[i].code = clip.outcodes[i];
   }
   Counters counters;
-  trace.assembled = assemble(clip, {0, 1, 2}, trace.mirrored, settings.cull, counters);
+  trace.assembled =
+      assemble(clip, {0, 1, 2}, trace.mirrored, settings.cull, clip_volume_of(settings), counters);
   if (trace.assembled.fate == TriangleFate::accepted || trace.assembled.fate == TriangleFate::to_clip) {
     set_up(trace.assembled, primitive, viewport, counters, trace.pieces);
   }

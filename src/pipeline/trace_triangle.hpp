@@ -14,10 +14,11 @@ namespace velum {
 
 /// Where a clip-space point with w > 0 comes to lie: the last steps before coverage is decided.
 struct PlacedPoint {
-  glm::dvec4 clip{0.0};   ///< homogeneous
-  glm::dvec3 ndc{0.0};    ///< canonical: clip divided by w
-  glm::dvec2 pixel{0.0};  ///< pixels, y down, not yet snapped
-  SnappedVertex snapped;  ///< 1/256 pixel; meaningful only where outcode(clip) is 0
+  glm::dvec4 clip{0.0};     ///< homogeneous
+  glm::dvec3 ndc{0.0};      ///< canonical: clip divided by w
+  glm::dvec2 pixel{0.0};    ///< pixels, y down, not yet snapped
+  bool is_snapped = false;  ///< nothing needs to be cut off first
+  SnappedVertex snapped;    ///< 1/256 pixel; meaningful only where is_snapped
 };
 
 /// A vertex's way through the stages.
@@ -46,7 +47,7 @@ struct TriangleTrace {
 };
 
 /// Follows one triangle through every stage.
-/// @param settings  size and culling count; a crop does not
+/// @param settings  size, culling and clip policy count; a crop does not
 /// @pre primitive < scene.primitive_count()
 /// @throws Error (usage) for the id of a segment or point, and as render() for sizes and cameras that cannot
 /// be used
@@ -54,6 +55,7 @@ TriangleTrace trace_triangle(const Scene& scene, const Camera& camera, const Ren
                              std::uint32_t primitive);
 
 /// Divide, viewport mapping and snapping. @pre clip.w > 0
-PlacedPoint place_on_picture(const glm::dvec4& clip, const Viewport& viewport);
+/// @param volume  what triangles are clipped against
+PlacedPoint place_on_picture(const glm::dvec4& clip, const Viewport& viewport, const ClipVolume& volume = {});
 
 }  // namespace velum

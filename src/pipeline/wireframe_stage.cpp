@@ -35,7 +35,7 @@ void WireframeBuffers::draw_edges(const Scene& scene, std::uint32_t index, const
   transform_vertices(mesh.positions.span(), clip_from_object, vertices);
   edges.clear();
   for (const glm::uvec3& triangle : mesh.triangles) {
-    const TriangleFate fate = assemble(vertices, triangle, mirrored, settings.cull, uncounted).fate;
+    const TriangleFate fate = assemble(vertices, triangle, mirrored, settings.cull, {}, uncounted).fate;
     if (fate == TriangleFate::accepted || fate == TriangleFate::to_clip) append_edges(triangle, edges);
   }
   std::sort(edges.begin(), edges.end(), is_before);

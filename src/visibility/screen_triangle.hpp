@@ -27,7 +27,8 @@ struct ScreenTriangle {
   std::uint32_t primitive = 0;
 };
 
-/// Perspective divide, viewport mapping and snapping, half up. @pre vertex inside the canonical volume, w > 0
+/// Perspective divide, viewport mapping and snapping, half up. @pre needs_no_cut(vertex) for the volume of
+/// a clip policy (clipping/clip_volume.hpp), so that the result is within ±2²³
 SnappedVertex snap(const glm::dvec4& vertex, const Viewport& viewport);
 
 /// Twice the signed area in (1/256 pixel)², y down: positive if the vertices run clockwise as seen on the

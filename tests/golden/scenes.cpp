@@ -51,6 +51,13 @@ GoldenScene with_placement(std::string name, Scene scene, Placement placement) {
   return result;
 }
 
+/// With the six planes of the view volume; the other scenes have the guard band.
+GoldenScene cut_exactly(std::string name, Scene scene, Placement placement) {
+  GoldenScene result = with_placement(std::move(name), std::move(scene), placement);
+  result.settings.clip = ClipPolicy::exact;
+  return result;
+}
+
 GoldenScene mirrored_without_backs() {
   GoldenScene result = entry("mirrored", mirrored());
   result.settings.cull = Cull::back;
@@ -141,6 +148,8 @@ std::vector<GoldenScene> golden_scenes() {
       large_triangles(),
       with_placement("cut", solids(), Placement::cut),
       with_placement("inside", room(), Placement::from_inside),
+      cut_exactly("cut-exact", solids(), Placement::cut),
+      cut_exactly("inside-exact", room(), Placement::from_inside),
       spoilt(),
       entry("transparent", transparent()),
       textures(),
@@ -166,8 +175,9 @@ const std::vector<Mode>& golden_modes() {
 }
 
 bool GoldenPicture::has_file() const {
-  static const std::set<std::string> only_hashed{"widest", "from-text", "shading-triangle-id",
-                                                 "shading-barycentric", "textured-bilinear"};
+  static const std::set<std::string> only_hashed{
+      "widest",    "from-text",   "shading-triangle-id", "shading-barycentric", "textured-bilinear",
+      "cut-exact", "inside-exact"};
   if (only_hashed.count(scene->name) > 0) return false;
   if (scene->name == "ties") return projection == "front";  // where the ties are exact
   return scene->name == "letter-f" || projection == "perspective";

@@ -23,8 +23,9 @@ VisibilityBuffer rendered(const Scene& scene, const Camera& camera, const Render
     ClipVertices vertices;
     transform_vertices(mesh.positions.span(), viewing.clip_from_object(instance.world_from_object), vertices);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const AssembledTriangle triangle = assemble(
-          vertices, mesh.triangles[t], is_mirroring(instance.world_from_object), settings.cull, counters);
+      const AssembledTriangle triangle =
+          assemble(vertices, mesh.triangles[t], is_mirroring(instance.world_from_object), settings.cull,
+                   clip_volume_of(settings), counters);
       if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
         set_up(triangle, scene.first_primitive(i) + t, {settings.width, settings.height}, counters, pieces);
       }

@@ -121,7 +121,8 @@ Expected by_the_plain_path(const Case& c) {
       expected.slow.push_back(i);
       continue;
     }
-    const AssembledTriangle triangle = assemble(c.vertices, t, c.mirrored, c.cull, expected.counters);
+    const AssembledTriangle triangle =
+        assemble(c.vertices, t, c.mirrored, c.cull, ClipVolume{}, expected.counters);
     if (triangle.fate == TriangleFate::accepted)
       set_up(triangle, 100 + i, c.viewport, expected.counters, pieces);
   }

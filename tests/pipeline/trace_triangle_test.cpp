@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <glm/common.hpp>
 #include <limits>
 
@@ -90,7 +91,9 @@ TEST_CASE("cut, rejected, culled and broken triangles are told as what they are"
   CHECK_FALSE(cut.vertices[2].is_in_front());
   CHECK(cut.polygon.size() >= 4);
   CHECK(cut.pieces.size() == cut.polygon.size() - 2);
-  for (const PlacedPoint& point : cut.polygon) CHECK(outcode(point.clip) == 0);
+  for (const PlacedPoint& point : cut.polygon) CHECK(point.is_snapped);
+  settings.clip = ClipPolicy::exact;
+  for (const PlacedPoint& point : trace({0, 2, 1}).polygon) CHECK(outcode(point.clip) == 0);
   CHECK(trace({0, nan, -2}).assembled.fate == TriangleFate::not_finite);
   CHECK(trace({0, nan, -2}).polygon.empty());
   settings.cull = Cull::front;
@@ -100,4 +103,22 @@ TEST_CASE("cut, rejected, culled and broken triangles are told as what they are"
   CHECK(rejected.assembled.fate == TriangleFate::rejected);
   CHECK(rejected.assembled.all_outside == 8);  // right
   CHECK(rejected.pieces.empty());
+}
+
+TEST_CASE(
+    "a triangle that leaves the picture sideways is cut by the view volume, and left whole by the guard") {
+  const Scene scene = one_triangle({-1, -1, -2}, {9, -1, -2}, {0, 1, -2});
+  RenderSettings settings = size(100, 100);
+  const TriangleTrace guarded = trace_triangle(scene, simple_camera(), settings, 0);
+  CHECK(guarded.assembled.fate == TriangleFate::accepted);
+  CHECK(guarded.cut_by == 0);
+  CHECK(guarded.pieces.size() == 1);
+  CHECK(guarded.polygon[1].is_snapped);
+  CHECK(guarded.polygon[1].snapped == SnappedVertex{275 * subpixels, 75 * subpixels});
+  settings.clip = ClipPolicy::exact;
+  const TriangleTrace exact = trace_triangle(scene, simple_camera(), settings, 0);
+  CHECK(exact.assembled.fate == TriangleFate::to_clip);
+  CHECK(exact.cut_by == 8);  // right
+  CHECK(exact.pieces.size() == 2);
+  CHECK(std::memcmp(&exact.pieces[0].depth, &guarded.pieces[0].depth, sizeof(DepthPlane)) == 0);
 }

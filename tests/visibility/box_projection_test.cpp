@@ -62,7 +62,7 @@ Drawn draw(const std::vector<glm::vec3>& positions, const glm::dmat4& clip_from_
   std::vector<ScreenTriangle> screen;
   Counters counters;
   for (std::uint32_t i = 0; i + 2 < positions.size(); i += 3) {
-    const AssembledTriangle triangle = assemble(vertices, {i, i + 1, i + 2}, false, Cull::none, counters);
+    const AssembledTriangle triangle = assemble(vertices, {i, i + 1, i + 2}, false, Cull::none, {}, counters);
     if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
       set_up(triangle, i, viewport, counters, screen);
     }
