@@ -27,6 +27,7 @@
 #include "pipeline/agree.hpp"
 #include "pipeline/clip_trace.hpp"
 #include "pipeline/explain_pixel.hpp"
+#include "pipeline/explain_ray.hpp"
 #include "pipeline/pick.hpp"
 #include "pipeline/render.hpp"
 #include "pipeline/trace_triangle.hpp"

@@ -30,5 +30,6 @@ Verb add_views(CLI::App& program);
 Verb add_pixel(CLI::App& program);
 Verb add_clip_trace(CLI::App& program);
 Verb add_diff(CLI::App& program);
+Verb add_agree(CLI::App& program);
 
 }  // namespace velum_app

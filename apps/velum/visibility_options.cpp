@@ -51,16 +51,20 @@ void ClipOption::apply_to(RenderSettings& settings) const {
   settings.clip = clip_names.at(policy);
 }
 
+void add_accelerator_option(CLI::App& parser, std::string& accelerator) {
+  parser
+      .add_option("--accelerator", accelerator,
+                  "What rays find triangles with; the answer is the same (default: bvh)")
+      ->check(CLI::IsMember(accelerator_map()));
+}
+
 void VisibilityOptions::add_to(CLI::App& parser) {
   parser
       .add_option("--visibility", method,
-                  "How visibility is found: zbuffer (default) and scanline give the same picture, raycast\n"
-                  "the same but for pixels that velum agree explains")
+                  "How visibility is found: zbuffer (default), scanline and hierarchical give\n"
+                  "the same picture, raycast the same but for pixels that velum agree explains")
       ->check(CLI::IsMember(&method_names));
-  parser
-      .add_option("--accelerator", accelerator,
-                  "What raycast finds triangles with; the picture is the same (default: bvh)")
-      ->check(CLI::IsMember(accelerator_map()));
+  add_accelerator_option(parser, accelerator);
   parser
       .add_option("--hierarchical", hierarchy,
                   "With hierarchical: what the z-pyramid is asked about: octree, polygons, or both (default)")

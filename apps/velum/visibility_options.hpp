@@ -14,6 +14,9 @@ struct ClipOption {
   void apply_to(velum::RenderSettings& settings) const;
 };
 
+/// `--accelerator` alone. @param accelerator  as given
+void add_accelerator_option(CLI::App& parser, std::string& accelerator);
+
 /// `--visibility` and what tells how it works, as given.
 struct VisibilityOptions {
   std::string method = "zbuffer";

@@ -104,16 +104,17 @@ bool RayView::is_culled(std::uint32_t instance, std::uint32_t triangle) const {
   return facing == (cull_ == Cull::back ? Facing::back : Facing::front);
 }
 
+SceneFilter RayView::filter() const {
+  if (cull_ == Cull::none) return {};
+  return {[](const void* self, std::uint32_t instance, std::uint32_t triangle) {
+            return !static_cast<const RayView*>(self)->is_culled(instance, triangle);
+          },
+          this};
+}
+
 SceneHit RayView::at(double px, double py, CastCounters& counters) const {
   const ViewRay view_ray = rays_.through(px, py);
-  SceneFilter filter;
-  if (cull_ != Cull::none) {
-    filter = {[](const void* self, std::uint32_t instance, std::uint32_t triangle) {
-                return !static_cast<const RayView*>(self)->is_culled(instance, triangle);
-              },
-              this};
-  }
-  return caster_.first_hit(view_ray.ray, view_ray.range, counters, filter);
+  return caster_.first_hit(view_ray.ray, view_ray.range, counters, filter());
 }
 
 void cast_visibility(const RayStageInput& input, const std::function<void(double)>& progress,

@@ -46,6 +46,8 @@ class RayView {
   /// Whether a triangle is left out by the way it faces: the raster's own test.
   bool is_culled(std::uint32_t instance, std::uint32_t triangle) const;
 
+  /// What is_culled() leaves of all hits; valid as long as this.
+  SceneFilter filter() const;
   const CameraRays& rays() const { return rays_; }
 
  private:

@@ -15,8 +15,7 @@ struct KdArrays {
 /// sorted once and kept in order from node to node.
 /// Source: Wald & Havran 2006, "On building fast kd-Trees for Ray Tracing, and on doing that in O(N log N)";
 /// without clipping triangles to their cells. The article "Acceleration Structures" of the lectures sorts
-/// anew in every node (O(n log² n)), leaves out the box that ends where the best plane is, and tests axis 0
-/// for flatness, whichever axis was divided.
+/// anew in every node (O(n log² n)), and tests axis 0 for flatness, whichever axis was divided.
 /// @param items  of the triangles that can be hit; not empty
 KdArrays build_kd_tree(const std::vector<BoxedItem>& items, const KdSettings& settings);
 

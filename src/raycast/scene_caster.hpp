@@ -57,6 +57,16 @@ class SceneCaster {
   std::size_t memory() const;
   /// The structure over the triangles of a mesh. @pre mesh < scene.meshes().size()
   const Accelerator& structure(std::uint32_t mesh) const { return *meshes_[mesh].structure; }
+  /// The hierarchy over the instances' boxes, world space.
+  const BvhTree& top() const { return top_; }
+  const Aabb& bounds() const { return bounds_; }
+  /// @pre instance < scene.instances().size()
+  std::uint32_t mesh_of(std::uint32_t instance) const { return instances_[instance].mesh; }
+  std::uint32_t primitive(std::uint32_t instance, std::uint32_t triangle) const {
+    return instances_[instance].first_primitive + triangle;
+  }
+  /// A world ray in an instance's object space.
+  Ray in_object(std::uint32_t instance, const Ray& ray) const { return instances_[instance].in_object(ray); }
 
  private:
   struct MeshEntry {
