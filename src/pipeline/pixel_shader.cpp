@@ -1,5 +1,8 @@
 #include "pixel_shader.hpp"
 
+#include <utility>
+
+#include "../shading/light_scene.hpp"
 #include "line_stages.hpp"
 #include "wireframe_stage.hpp"
 
@@ -34,19 +37,36 @@ MetricRange depth_view_range(const glm::dmat4& world_from_clip, const glm::dvec4
   return is_finite(range.nearest) && is_finite(range.farthest) ? range : MetricRange{};
 }
 
+void set_row_lights(const Lighting& lighting, std::vector<RowLight>& lights) {
+  const auto add = [&](const glm::dvec3& towards, const glm::vec3& radiance, bool is_place) {
+    lights.push_back({{towards.x, towards.y, towards.z}, {radiance.x, radiance.y, radiance.z}, is_place});
+  };
+  lights.clear();
+  for (const DirectionalLight& light : lighting.directional) add(-light.direction, light.radiance, false);
+  for (const PointLight& light : lighting.points) add(light.position, light.radiance, true);
+}
+
 }  // namespace
 
-ShadeContext::ShadeContext(const ShadeInput& shade_input) : input(shade_input) {
+ShadeContext::ShadeContext(const ShadeInput& shade_input, ShadeMemory* kept)
+    : input(shade_input), kept_(kept) {
+  if (kept_ != nullptr) std::swap(own, *kept_);
   const glm::dmat4 world_from_clip = input.viewing.world_from_clip();
   viewer.viewport = {input.settings.width, input.settings.height};
   viewer.eye = eye_of(input.viewing.clip_from_world());
   viewer.metric_depth_plane = metric_depth_plane(input.camera);
   viewer.texture_filter = input.settings.texture_filter;
   range = depth_view_range(world_from_clip, viewer.metric_depth_plane);
-  lighting = lighting_of(input.scene, to_viewer_from(middle_at(world_from_clip, 0.5), viewer.eye));
+  light_scene(input.scene, to_viewer_from(middle_at(world_from_clip, 0.5), viewer.eye), own.lighting);
+  set_row_lights(own.lighting, own.row_lights);
+  own.clip_from_object.clear();
   for (const Instance& instance : input.scene.instances()) {
-    clip_from_object.push_back(input.viewing.clip_from_object(instance.world_from_object));
+    own.clip_from_object.push_back(input.viewing.clip_from_object(instance.world_from_object));
   }
+}
+
+ShadeContext::~ShadeContext() {
+  if (kept_ != nullptr) std::swap(own, *kept_);
 }
 
 bool ShadeContext::has_plain_triangles() const {

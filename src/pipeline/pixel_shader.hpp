@@ -25,9 +25,20 @@ struct ShadeInput {
   const VisibilityBuffer* wireframe = nullptr;  ///< the nearest edges, drawn over the first layer
 };
 
+/// What depends on the scene and its lights; kept from frame to frame for its memory.
+struct ShadeMemory {
+  Lighting lighting;
+  std::vector<RowLight> row_lights;          ///< the same lights for the vector kernels
+  std::vector<glm::dmat4> clip_from_object;  ///< of each instance
+};
+
 /// What the shading of every pixel of a frame has in common.
 struct ShadeContext {
-  explicit ShadeContext(const ShadeInput& shade_input);
+  /// @param kept  whose memory is used, and given back in the end
+  explicit ShadeContext(const ShadeInput& shade_input, ShadeMemory* kept = nullptr);
+  ~ShadeContext();
+  ShadeContext(const ShadeContext&) = delete;
+  ShadeContext& operator=(const ShadeContext&) = delete;
 
   /// Whether a triangle without a texture has one colour all over.
   bool has_plain_triangles() const;
@@ -35,8 +46,12 @@ struct ShadeContext {
   const ShadeInput input;
   Viewer viewer;
   MetricRange range;
-  Lighting lighting;
-  std::vector<glm::dmat4> clip_from_object;  ///< of each instance
+  ShadeMemory own;
+  const Lighting& lighting = own.lighting;
+  const std::vector<glm::dmat4>& clip_from_object = own.clip_from_object;
+
+ private:
+  ShadeMemory* const kept_;
 };
 
 /// A visible primitive set up for shading.

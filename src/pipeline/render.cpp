@@ -30,7 +30,7 @@ struct Renderer::Buffers {
   Executor executor;
   int threads = 1;  ///< as asked for; 0: all
   ExecutorKind executor_kind = ExecutorKind::tbb;
-  std::vector<ShadeWorker> shaders;
+  ShadeBuffers shaders;
   LayerBuffers layers;
   Picture picture;
 };

@@ -9,16 +9,6 @@ bool is_lit(Shading shading) {
   return shading == Shading::flat || shading == Shading::gouraud || shading == Shading::phong;
 }
 
-std::vector<RowLight> row_lights(const Lighting& lighting) {
-  std::vector<RowLight> lights;
-  const auto add = [&](const glm::dvec3& towards, const glm::vec3& radiance, bool is_place) {
-    lights.push_back({{towards.x, towards.y, towards.z}, {radiance.x, radiance.y, radiance.z}, is_place});
-  };
-  for (const DirectionalLight& light : lighting.directional) add(-light.direction, light.radiance, false);
-  for (const PointLight& light : lighting.points) add(light.position, light.radiance, true);
-  return lights;
-}
-
 void copy(const glm::vec3& from, float (&to)[3]) {
   to[0] = from.x, to[1] = from.y, to[2] = from.z;
 }
@@ -40,7 +30,6 @@ RowContext::RowContext(const ShadeContext& shade_context, const PictureTarget& t
       target.normal.data != nullptr || needs.viewer || (wants_colour && shading == Shading::normal);
   needs.colour = has_linear;
   if (!is_used) return;
-  if (needs.viewer) lights = row_lights(context.lighting);
   interpolate = interpolate_surface_kernel(settings.isa);
   light = light_row_kernel(settings.isa);
 }
@@ -78,8 +67,9 @@ void RowShader::finish() {
 void RowShader::light(const Stretch& stretch) {
   const Material& material = *stretch.material;
   LightingWork work{};
-  work.lights = context_->lights.data();
-  work.light_count = context_->lights.size();
+  const std::vector<RowLight>& lights = context_->context.own.row_lights;
+  work.lights = lights.data();
+  work.light_count = lights.size();
   copy(context_->context.lighting.ambient * material.ambient, work.ambient);
   copy(material.diffuse, work.diffuse);
   copy(material.specular, work.specular);

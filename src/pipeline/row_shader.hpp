@@ -2,7 +2,6 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
 #include "../shading/surface_rows.hpp"
 #include "pixel_shader.hpp"
@@ -18,7 +17,6 @@ struct RowContext {
   bool has_colour;  ///< surfaces give the colour; otherwise it is not wanted or follows from the id
   bool has_linear;  ///< … as linear colours, which may be translucent; otherwise as codes
   SurfaceNeeds needs;
-  std::vector<RowLight> lights;
   InterpolateSurface interpolate = nullptr;
   LightRow light = nullptr;
 };

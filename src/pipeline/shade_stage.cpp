@@ -35,13 +35,13 @@ bool needs_surfaces(const ShadeContext& context, const PictureTarget& target) {
 }  // namespace
 
 ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers,
-                       std::vector<ShadeWorker>& workers)
-    : context_(input),
+                       ShadeBuffers& buffers)
+    : context_(input, &buffers.memory),
       target_(target),
       rows_(context_, target),
       needs_surfaces_(needs_surfaces(context_, target)),
       layers_(layers),
-      workers_(workers) {
+      workers_(buffers.workers) {
   workers_.resize(static_cast<std::size_t>(input.executor.threads()));
   for (ShadeWorker& worker : workers_) {
     worker.points.resize(most_row_pixels);

@@ -13,7 +13,7 @@
 
 namespace velum {
 
-/// What each worker has for itself; kept from frame to frame for its memory.
+/// What each worker has for itself.
 struct ShadeWorker {
   PixelShader pixel;
   RowShader row;
@@ -23,6 +23,12 @@ struct ShadeWorker {
   std::uint64_t shaded = 0;
   std::uint64_t layers = 0;
   Rect translucent_box;
+};
+
+/// What the stage keeps from frame to frame, for its memory.
+struct ShadeBuffers {
+  std::vector<ShadeWorker> workers;
+  ShadeMemory memory;
 };
 
 /// Neighbouring pixels of a row that show the same: begin ≤ x < end.
@@ -39,7 +45,7 @@ struct ShadeRun {
 class ShadeStage {
  public:
   ShadeStage(const ShadeInput& input, const PictureTarget& target, LayerBuffers& layers,
-             std::vector<ShadeWorker>& workers);
+             ShadeBuffers& buffers);
 
   /// Runs on all threads, part by part; with a custom shader on the calling thread alone.
   void shade_first_layer(const VisibilityBuffer& buffer, Counters& counters);

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "../base/elementary.hpp"
-#include "shading.hpp"
+#include "light_scene.hpp"
 
 namespace velum {
 namespace {
@@ -35,8 +35,9 @@ DirectionalLight lamp(UpAxis up, const glm::dvec3& to_viewer, double above, doub
 /// A key light over the viewer's left shoulder, as draughtsmen light their objects: straight from the eye,
 /// the three faces of an isometric cube would be equally bright. A weak light from the right keeps what turns
 /// away from it readable.
-std::vector<DirectionalLight> headlights(UpAxis up, const glm::dvec3& to_viewer) {
-  return {lamp(up, to_viewer, 0.35, -0.25, 0.8f), lamp(up, to_viewer, 0.1, 1.2, 0.25f)};
+void add_headlights(UpAxis up, const glm::dvec3& to_viewer, std::vector<DirectionalLight>& lights) {
+  lights.push_back(lamp(up, to_viewer, 0.35, -0.25, 0.8f));
+  lights.push_back(lamp(up, to_viewer, 0.1, 1.2, 0.25f));
 }
 
 /// What one light of unit direction `to_light` adds.
@@ -53,14 +54,18 @@ glm::vec3 reflected(const Material& material, const glm::dvec3& normal, const gl
 
 }  // namespace
 
-Lighting lighting_of(const Scene& scene, const glm::dvec3& to_viewer) {
-  Lighting lighting;
+void light_scene(const Scene& scene, const glm::dvec3& to_viewer, Lighting& lighting) {
   lighting.ambient = scene.ambient_light;
   lighting.directional = scene.directional_lights;
   lighting.points = scene.point_lights;
   for (DirectionalLight& light : lighting.directional) light.direction = unit(light.direction);
   if (lighting.directional.empty() && lighting.points.empty())
-    lighting.directional = headlights(scene.up, to_viewer);
+    add_headlights(scene.up, to_viewer, lighting.directional);
+}
+
+Lighting lighting_of(const Scene& scene, const glm::dvec3& to_viewer) {
+  Lighting lighting;
+  light_scene(scene, to_viewer, lighting);
   return lighting;
 }
 
