@@ -52,6 +52,12 @@ struct PlacedOctree {
 
 class HierarchicalStage {
   using Node = HierarchicalBuffers::Node;
+  /// The nodes of one octree.
+  struct Nodes {
+    const std::vector<OctreeNode>& all;
+    const MeshOctree* mesh = nullptr;         ///< whose they are; none: of the scene
+    const std::uint8_t* are_drawn = nullptr;  ///< per cluster, where some are drawn already
+  };
 
  public:
   HierarchicalStage(const TileStageInput& input, HierarchicalBuffers& buffers, ClusterDrawer& drawer,
@@ -121,10 +127,13 @@ class HierarchicalStage {
   // Tests.
 
   /// The node's bounds; none if it is beyond the view volume or the part of the picture that is wanted.
-  std::optional<Node> look_at(const BoxProjection& projection, const OctreeNode& node, std::uint32_t index,
+  std::optional<Node> look_at(const BoxProjection& projection, const Nodes& nodes, std::uint32_t index,
                               std::uint32_t instance) {
     ++counters_.hierarchy.nodes_visited;
-    const Node seen{index, projection(node.box)};
+    // A leaf of a mesh has a box that lies along its surface.
+    const OctreeNode& node = nodes.all[index];
+    const bool has_tight_box = nodes.mesh != nullptr && node.child_count == 0;
+    const Node seen{index, has_tight_box ? projection(nodes.mesh->tight_box(index)) : projection(node.box)};
     const bool is_outside = seen.bounds.is_outside || intersect(seen.bounds.pixels, input_.rect).is_empty();
     if (!is_outside || !settings_.culls_frustum) return seen;
     ++counters_.hierarchy.nodes_outside;
@@ -158,13 +167,15 @@ class HierarchicalStage {
   // Traversal.
 
   /// Pushes a node's children that are not outside, the nearest last.
-  void push_children(const BoxProjection& projection, const std::vector<OctreeNode>& nodes,
-                     const OctreeNode& parent, std::uint32_t instance, std::vector<Node>& stack) {
+  void push_children(const BoxProjection& projection, const Nodes& nodes, const OctreeNode& parent,
+                     std::uint32_t instance, std::vector<Node>& stack) {
     std::array<Node, 8> children;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < parent.child_count; ++i) {
       const std::uint32_t index = parent.first_child + i;
-      if (const auto child = look_at(projection, nodes[index], index, instance)) children[count++] = *child;
+      const bool is_leaf = nodes.all[index].child_count == 0;
+      if (is_leaf && nodes.are_drawn != nullptr && nodes.are_drawn[index] != 0) continue;
+      if (const auto child = look_at(projection, nodes, index, instance)) children[count++] = *child;
     }
     // By insertion: they are few, and equal ones keep their order.
     for (std::size_t i = 1; i < count; ++i) {
@@ -182,13 +193,13 @@ class HierarchicalStage {
                                    octrees_.reach());
     std::vector<Node>& stack = buffers_.scene_stack;
     stack.clear();
-    if (const auto root = look_at(projection, nodes[0], 0, NodeRecord::of_scene)) stack.push_back(*root);
+    if (const auto root = look_at(projection, {nodes}, 0, NodeRecord::of_scene)) stack.push_back(*root);
     while (!stack.empty()) {
       const Node node = stack.back();
       stack.pop_back();
       if (is_hidden(node, NodeRecord::of_scene)) continue;
       const OctreeNode& place = nodes[node.index];
-      push_children(projection, nodes, place, NodeRecord::of_scene, stack);
+      push_children(projection, {nodes}, place, NodeRecord::of_scene, stack);
       for (std::uint32_t i = place.first; i < place.own_end; ++i) {
         walk_mesh(octrees_.instances().items()[i]);
       }
@@ -198,16 +209,18 @@ class HierarchicalStage {
   void walk_mesh(std::uint32_t instance) {
     PlacedOctree placed(input_, octrees_, instance);
     ++counters_.instances;
-    const std::vector<OctreeNode>& nodes = placed.octree.nodes();
+    const std::uint8_t* const are_drawn =
+        buffers_.remembers ? &buffers_.is_visible[octrees_.first_cluster(instance)] : nullptr;
+    const Nodes nodes{placed.octree.nodes(), &placed.octree, are_drawn};
     std::vector<Node>& stack = buffers_.mesh_stack;
     stack.clear();
-    if (const auto root = look_at(placed.projection, nodes[0], 0, instance)) stack.push_back(*root);
+    if (const auto root = look_at(placed.projection, nodes, 0, instance)) stack.push_back(*root);
     while (!stack.empty()) {
       const Node node = stack.back();
       stack.pop_back();
       if (is_hidden(node, instance)) continue;
       visit_cluster(placed, node);
-      push_children(placed.projection, nodes, nodes[node.index], instance, stack);
+      push_children(placed.projection, nodes, nodes.all[node.index], instance, stack);
     }
   }
 
@@ -263,7 +276,8 @@ class HierarchicalStage {
   }
 
   bool draw_again(PlacedOctree& placed, std::uint32_t cluster) {
-    if (!look_at(placed.projection, placed.octree.nodes()[cluster], cluster, placed.instance)) return false;
+    const Nodes nodes{placed.octree.nodes(), &placed.octree};
+    if (!look_at(placed.projection, nodes, cluster, placed.instance)) return false;
     if (faces_away(placed, cluster)) return false;
     ++counters_.hierarchy.clusters_remembered;
     add(placed, cluster);
@@ -314,15 +328,14 @@ class HierarchicalStage {
   bool is_behind_ = false;  ///< the pyramid lags behind what is drawn
 };
 
-/// Marks the clusters that the picture shows; every second pixel of every second row is enough to find
-/// nearly all.
+/// Marks the clusters that the picture shows.
 void remember(const Scene& scene, const SceneOctrees& octrees, const VisibilityBuffer& buffer,
               std::vector<std::uint8_t>& is_visible) {
   is_visible.assign(octrees.cluster_count(), 0);
   std::uint32_t last = no_primitive, begin = 0, end = 0, instance = 0;
-  for (int y = 0; y < buffer.height(); y += 2) {
+  for (int y = 0; y < buffer.height(); ++y) {
     const std::uint32_t* const row = buffer.primitive.row(y);
-    for (int x = 0; x < buffer.width(); x += 2) {
+    for (int x = 0; x < buffer.width(); ++x) {
       const std::uint32_t primitive = row[x];
       if (primitive == last || primitive == no_primitive) continue;
       last = primitive;

@@ -49,6 +49,9 @@ class MeshOctree::Writer {
     out_.spans_.push_back(span);
     const MeshCluster written = out_.cluster(cluster);
     out_.cones_.push_back(normal_cone(written.positions, written.indices));
+    const bool is_empty = written.positions.empty();
+    out_.tight_boxes_.push_back(is_empty ? OrientedBox{}
+                                         : oriented_box(written.positions, out_.cones_.back().axis));
   }
 
  private:
@@ -94,8 +97,8 @@ MeshCluster MeshOctree::cluster(std::size_t i) const {
 }
 
 std::size_t MeshOctree::bytes() const {
-  return octree_.bytes() + bytes_of(spans_) + bytes_of(cones_) + bytes_of(positions_) + bytes_of(indices_) +
-         bytes_of(triangles_) + bytes_of(cluster_of_triangle_);
+  return octree_.bytes() + bytes_of(spans_) + bytes_of(cones_) + bytes_of(tight_boxes_) +
+         bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_);
 }
 
 }  // namespace velum

@@ -8,6 +8,7 @@
 #include "../scene/mesh.hpp"
 #include "normal_cone.hpp"
 #include "octree.hpp"
+#include "oriented_box.hpp"
 
 namespace velum {
 
@@ -39,6 +40,8 @@ class MeshOctree {
   MeshCluster cluster(std::size_t i) const;
   bool is_empty(std::size_t cluster) const { return spans_[cluster].triangle_count == 0; }
   const NormalCone& cone(std::size_t cluster) const { return cones_[cluster]; }
+  /// Around the cluster's positions, along its surface. @pre not is_empty(cluster), and not the last
+  const OrientedBox& tight_box(std::size_t cluster) const { return tight_boxes_[cluster]; }
   /// Triangles in a node's whole subtree.
   std::uint32_t triangles_below(std::size_t node) const { return nodes()[node].end - nodes()[node].first; }
   /// The cluster of each of the mesh's triangles.
@@ -56,6 +59,7 @@ class MeshOctree {
   Octree octree_;
   std::vector<Span> spans_;
   std::vector<NormalCone> cones_;
+  std::vector<OrientedBox> tight_boxes_;
   std::vector<glm::vec3> positions_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint32_t> triangles_;

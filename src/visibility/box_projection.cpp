@@ -128,8 +128,17 @@ BoxOnPicture BoxProjection::bounds_of(const Corners& corners, double smallest_w)
 BoxOnPicture BoxProjection::operator()(const Aabb& box) const {
   const glm::dvec3 size = box.upper - box.lower;
   const glm::dmat4& m = clip_from_object_;
-  const Corners corners{((m[0] * box.lower.x + m[1] * box.lower.y) + m[2] * box.lower.z) + m[3],
-                        m[0] * size.x, m[1] * size.y, m[2] * size.z};
+  return judge({((m[0] * box.lower.x + m[1] * box.lower.y) + m[2] * box.lower.z) + m[3], m[0] * size.x,
+                m[1] * size.y, m[2] * size.z});
+}
+
+BoxOnPicture BoxProjection::operator()(const OrientedBox& box) const {
+  const glm::dmat4& m = clip_from_object_;
+  const auto direction = [&](const glm::dvec3& v) { return (m[0] * v.x + m[1] * v.y) + m[2] * v.z; };
+  return judge({direction(box.corner) + m[3], direction(box.x), direction(box.y), direction(box.z)});
+}
+
+BoxOnPicture BoxProjection::judge(const Corners& corners) const {
   if (is_outside(corners)) return {true, {}, 0.0f};
   const double smallest_w = -corners.largest({0.0, 0.0, 0.0, -1.0});
   // So far from the eye that the roundings are small beside w; not so if anything is not a number.

@@ -7,6 +7,7 @@
 #include "../base/rect.hpp"
 #include "../projection/viewing_transform.hpp"
 #include "../projection/viewport.hpp"
+#include "../spatial/oriented_box.hpp"
 
 namespace velum {
 
@@ -33,6 +34,7 @@ class BoxProjection {
   BoxProjection(const ViewingTransform& clip_from_world, const Viewport& viewport, const Aabb& within);
 
   BoxOnPicture operator()(const Aabb& box) const;
+  BoxOnPicture operator()(const OrientedBox& box) const;
 
   /// The matrix it was made with.
   const glm::dmat4& clip_from_object() const { return clip_from_object_; }
@@ -43,6 +45,7 @@ class BoxProjection {
   struct Corners;
   void estimate_rounding(const glm::dmat4& magnitudes, const Aabb& within);
   bool is_outside(const Corners& corners) const;
+  BoxOnPicture judge(const Corners& corners) const;
   BoxOnPicture bounds_of(const Corners& corners, double smallest_w) const;
 
   glm::dmat4 clip_from_object_;

@@ -42,7 +42,17 @@ class ZPyramid::Descent {
       : pyramid_(pyramid), rect_(rect), bound_(bound), answer_{true, pyramid.coarsest_} {}
 
   PyramidAnswer go() {
-    const int level = pyramid_.coarsest_;
+    int level = pyramid_.coarsest_;
+    const int right = rect_.right() - 1, bottom = rect_.bottom() - 1;
+    // As long as one cell holds it, without the general case's comparisons.
+    const auto is_in_one_cell = [&] {
+      return rect_.left >> level == right >> level && rect_.top >> level == bottom >> level;
+    };
+    const float nearest = bound_(rect_);
+    for (; level > 0 && is_in_one_cell(); --level) {
+      if (nearest < pyramid_.value(level, rect_.left >> level, rect_.top >> level)) return {true, level};
+    }
+    answer_.level = level;
     answer_.is_hidden = cells_are_hidden(level, rect_.left >> level, rect_.top >> level,
                                          (rect_.right() - 1) >> level, (rect_.bottom() - 1) >> level);
     return answer_;
