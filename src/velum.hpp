@@ -28,6 +28,7 @@
 #include "pipeline/clip_trace.hpp"
 #include "pipeline/explain_pixel.hpp"
 #include "pipeline/explain_ray.hpp"
+#include "pipeline/occlusion.hpp"
 #include "pipeline/pick.hpp"
 #include "pipeline/render.hpp"
 #include "pipeline/trace_triangle.hpp"

@@ -24,6 +24,7 @@ constexpr const char* examples =
     "  velum projections                               the catalogue of projections\n"
     "  velum pixel bunny.obj --at 400,300              why this pixel shows what it shows\n"
     "  velum clip-trace bunny.obj --triangle 7         how the view volume cuts a triangle\n"
+    "  velum pyramid bunny.obj -o levels               what the z-pyramid knows, level by level\n"
     "  velum diff before.png after.png                 how far two pictures are apart\n"
     "  velum agree bunny.obj                           what rays see, against what the raster sees\n"
     "`velum VERB --help` tells more. Exit codes: 0 ok, 1 nothing to be seen, or pictures differ,\n"
@@ -61,7 +62,8 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   const std::array verbs{add_render(program),      add_matrix(program), add_info(program),
                          add_projections(program), add_views(program),  add_pixel(program),
-                         add_clip_trace(program),  add_diff(program),   add_agree(program)};
+                         add_clip_trace(program),  add_diff(program),   add_agree(program),
+                         add_pyramid(program)};
   if (argc < 2) {
     std::cerr << program.help();
     return exit_usage;

@@ -31,5 +31,6 @@ Verb add_pixel(CLI::App& program);
 Verb add_clip_trace(CLI::App& program);
 Verb add_diff(CLI::App& program);
 Verb add_agree(CLI::App& program);
+Verb add_pyramid(CLI::App& program);
 
 }  // namespace velum_app
