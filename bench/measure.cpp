@@ -49,6 +49,7 @@ Row measure(const BenchScene& bench, const Mode& mode, const MeasureOptions& opt
   const std::vector<Timing> timings = time_in_turn(contenders, options.patience);
   row.velum = timings[0];
   row.vertices = velum.counters().vertices;
+  row.left_out = velum.counters().hierarchy.triangles_left_out;
   if (llvmpipe) {
     row.llvmpipe = timings[1];
     row.same_coverage = share_of_equal(velum.coverage(), llvmpipe->coverage());

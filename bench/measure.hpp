@@ -25,6 +25,7 @@ struct Row {
   std::string mode;
   std::uint64_t triangles = 0;
   std::uint64_t vertices = 0;  ///< transformed in a frame
+  std::uint64_t left_out = 0;  ///< triangles never transformed, thanks to the octree
   double pixels = 0.0;
   double bytes = 0.0;  ///< the least a plain frame moves: every mesh in once, every output out
   Timing velum;

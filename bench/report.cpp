@@ -49,13 +49,14 @@ Table table_of(const std::vector<Row>& rows) {
 
 std::string csv_of(const std::vector<Row>& rows) {
   std::ostringstream csv;
-  csv << "scene,mode,triangles,vertices,pixels,bytes,velum_ms,velum_quarter_ms,velum_three_quarters_ms,"
+  csv << "scene,mode,triangles,left_out,vertices,pixels,bytes,velum_ms,velum_quarter_ms,velum_three_quarters_"
+         "ms,"
          "velum_first_ms,velum_frames,llvmpipe_ms,llvmpipe_quarter_ms,llvmpipe_three_quarters_ms,"
          "llvmpipe_first_ms,llvmpipe_frames,ratio,triangles_per_s,pixels_per_s,memory_bytes,same_coverage\n";
   csv.precision(9);
   for (const Row& row : rows) {
-    csv << row.scene << ',' << row.mode << ',' << row.triangles << ',' << row.vertices << ',' << row.pixels
-        << ',' << row.bytes;
+    csv << row.scene << ',' << row.mode << ',' << row.triangles << ',' << row.left_out << ',' << row.vertices
+        << ',' << row.pixels << ',' << row.bytes;
     add_timing(csv, row.velum);
     add_timing(csv, row.llvmpipe);
     add_optional(csv, row.ratio());

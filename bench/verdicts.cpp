@@ -99,6 +99,17 @@ std::string percent(double share) {
   return short_figure(100.0 * share) + " %";
 }
 
+/// What the octree spares.
+Verdict on_left_out(const Row& row) {
+  const double share = static_cast<double>(row.left_out) / static_cast<double>(row.triangles);
+  return {Verdict::Kind::info,
+          row.scene + ", " + row.mode + ": triangles never transformed",
+          percent(share),
+          "",
+          "",
+          ""};
+}
+
 /// How near a frame comes to the limits of memory and of arithmetic.
 void add_limits(std::vector<Verdict>& verdicts, const Row& row, const MachineLimits& limits) {
   const double seconds = row.velum.median / 1e3;
@@ -121,7 +132,10 @@ std::vector<Verdict> verdicts_on(const CheckFigures& figures) {
   verdicts.push_back(on_memory(figures.frames));
   for (const OcclusionGoal& goal : occlusion_goals)
     verdicts.push_back(on_depth_only(goal, figures.depth_only));
-  for (const Row& row : figures.frames) add_limits(verdicts, row, figures.limits);
+  for (const Row& row : figures.frames) {
+    if (row.mode == "hierarchical") verdicts.push_back(on_left_out(row));
+    add_limits(verdicts, row, figures.limits);
+  }
   return verdicts;
 }
 
