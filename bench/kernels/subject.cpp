@@ -34,7 +34,7 @@ void assemble_and_set_up(const ClipVertices& vertices, const Subject& subject,
   Counters counters;
   for (std::uint32_t i = 0; i < subject.mesh.triangles.size(); ++i) {
     const AssembledTriangle triangle =
-        assemble(vertices, subject.mesh.triangles[i], false, Cull::none, counters);
+        assemble(vertices, subject.mesh.triangles[i], false, Cull::none, {}, counters);
     if (triangle.fate == TriangleFate::accepted) set_up(triangle, i, subject.viewport, counters, out);
   }
 }
