@@ -2,6 +2,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <velum/drawing/octree_drawing.hpp>
 #include <velum/shading/shading_names.hpp>
 #include <velum/velum.hpp>
 
@@ -40,6 +41,7 @@ struct RenderOptions {
   CameraOptions camera;
   VisibilityOptions visibility;
   LineOptions lines;
+  std::string show = "picture";
   bool wireframe = false;
   bool quiet = false;
   bool report_work = false;
@@ -68,6 +70,12 @@ void add_picture_options(CLI::App& parser, RenderOptions& o) {
       ->check(CLI::IsMember(&texture_filter_names));
   parser.add_option("--cull", o.cull, "Which triangles are left out by the way they face (default: none)")
       ->check(CLI::IsMember(&cull_names));
+  parser
+      .add_option(
+          "--show", o.show,
+          "What -o gets: picture (default), or octree: what the hierarchical method did with each node,\n"
+          "from a second camera outside")
+      ->check(CLI::IsMember({"picture", "octree"}));
   parser.add_flag("--wireframe", o.wireframe,
                   "Draw the triangles' edges over the picture, hidden ones removed");
   o.lines.add_to(parser);
@@ -134,8 +142,12 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
 }
 
 void write_all(const RenderOptions& o, const std::vector<Output>& outputs, const Picture& picture,
-               const Camera& camera, const RenderSettings& settings) {
+               const Scene& scene, const Camera& camera, const RenderSettings& settings) {
   for (const Output& output : outputs) {
+    if (output.kind == OutputKind::colour && o.show == "octree") {
+      write_drawing(output, draw_octree(scene, camera, settings, settings.width, settings.height));
+      continue;
+    }
     if (output.kind != OutputKind::report) {
       write_output(output, picture);
       continue;
@@ -183,7 +195,7 @@ int run(const RenderOptions& o) {
     return render(scene, camera, settings);
   }();
 
-  write_all(o, outputs, picture, camera, settings);
+  write_all(o, outputs, picture, scene, camera, settings);
   if (!o.quiet) {
     for (const std::string& note : scene.notes) std::cerr << "velum: note: " << note << '\n';
     print_summary(outputs, picture, view.projection);
