@@ -47,6 +47,7 @@ struct RenderOptions {
   bool report_work = false;
   std::optional<std::string> crop;
   std::string layers = "0";
+  int samples = 1;
   std::optional<std::string> picture, depth, metric_depth, normals, object_ids, triangle_ids, report;
 };
 
@@ -78,6 +79,9 @@ void add_picture_options(CLI::App& parser, RenderOptions& o) {
       ->check(CLI::IsMember({"picture", "octree"}));
   parser.add_flag("--wireframe", o.wireframe,
                   "Draw the triangles' edges over the picture, hidden ones removed");
+  parser.add_option("--samples", o.samples, "Per pixel, for smooth edges: 4, 8 or 16 (default: 1, none)")
+      ->check(CLI::IsMember({1, 4, 8, 16}))
+      ->type_name("N");
   o.lines.add_to(parser);
   parser
       .add_option("--layers", o.layers,
@@ -134,6 +138,7 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.texture_filter = texture_filter_names.at(o.texture_filter);
   settings.cull = cull_names.at(o.cull);
   settings.wireframe = o.wireframe;
+  settings.samples = o.samples;
   settings.layers = whole_number_from(o.layers, "--layers");
   o.lines.apply_to(settings);
   if (o.crop) settings.crop = rect_from(*o.crop, "--crop");

@@ -58,4 +58,18 @@ Counters& Counters::operator+=(const Counters& other) {
   return *this;
 }
 
+Counters Counters::of_pixels() const {
+  Counters pixels;
+  pixels.hidden_triangles = hidden_triangles;
+  pixels.hidden_blocks = hidden_blocks;
+  pixels.drawn_blocks = drawn_blocks;
+  pixels.pixels_tested = pixels_tested;
+  pixels.spans = spans;
+  pixels.fragments = fragments;
+  pixels.fragments_written = fragments_written;
+  pixels.pixels_shaded = pixels_shaded;
+  pixels.layers = layers;
+  return pixels;
+}
+
 }  // namespace velum

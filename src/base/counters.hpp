@@ -52,6 +52,9 @@ struct Counters {
   /// Sums everything up; of the layers, the most.
   Counters& operator+=(const Counters& other);
 
+  /// Those alone that count pixels, not primitives: of the parts of a picture they add up to the whole's.
+  Counters of_pixels() const;
+
   /// The share of triangles removed because they face away, 0…1; 0 for no triangles.
   double culled_share() const {
     return triangles == 0 ? 0.0 : static_cast<double>(culled) / static_cast<double>(triangles);

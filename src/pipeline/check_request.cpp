@@ -3,6 +3,7 @@
 #include <string>
 
 #include "../base/error.hpp"
+#include "../visibility/sample_positions.hpp"
 #include "../visibility/screen_segment.hpp"
 
 namespace velum {
@@ -79,6 +80,12 @@ void check_method(const RenderSettings& settings) {
 void check_widths(const RenderSettings& settings) {
   check_width(settings.line_width, "line width");
   check_width(settings.point_size, "point size");
+}
+
+void check_samples(const RenderSettings& settings) {
+  if (is_sample_count(settings.samples)) return;
+  throw Error(ErrorKind::usage, "there is no pattern of " + std::to_string(settings.samples) + " samples",
+              "samples", "give 1 (none), 4, 8 or 16");
 }
 
 void check_machine(const RenderSettings& settings) {

@@ -24,6 +24,9 @@ void check_method(const RenderSettings& settings);
 /// @throws Error (usage) for a line width or point size out of range
 void check_widths(const RenderSettings& settings);
 
+/// @throws Error (usage) for a number of samples that no pattern has
+void check_samples(const RenderSettings& settings);
+
 /// @throws Error (usage) for a number of threads out of range, or an instruction set that this machine or
 /// this build has not
 void check_machine(const RenderSettings& settings);

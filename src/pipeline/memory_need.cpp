@@ -5,7 +5,9 @@
 
 #include "../base/error.hpp"
 #include "../base/machine.hpp"
+#include "../visibility/tile_buffer.hpp"
 #include "picture.hpp"
+#include "sample_stage.hpp"
 #include "shade_stage.hpp"
 
 namespace velum {
@@ -48,14 +50,40 @@ std::uint64_t picture_bytes(const Rect& rect) {
   return bytes_of_images<Rgba8, float, float, glm::vec3, std::uint32_t, std::uint32_t>(rect);
 }
 
-std::uint64_t buffer_bytes(const Scene& scene, const RenderSettings& settings, const Rect& rect) {
+namespace {
+
+/// Beyond this the picture is made in bands, each of which goes through the scene anew.
+constexpr std::uint64_t most_sample_bytes = std::uint64_t{1} << 28;
+
+/// Per pixel: what each sample sees, and, where something may be translucent, the groups of its first layers;
+/// marks of the wireframe and of open pixels.
+std::uint64_t sample_bytes_per_pixel(const Scene& scene, const RenderSettings& settings) {
+  if (settings.samples == 1) return 0;
+  const std::uint64_t of_sample = may_be_translucent(scene, settings) ? 8 + sizeof(SampleGroup) : 8;
+  const std::uint64_t marks = sizeof(MixedPixel) + 2 * sizeof(std::uint32_t);
+  return static_cast<std::uint64_t>(settings.samples) * of_sample + marks;
+}
+
+}  // namespace
+
+int sample_band_height(const Scene& scene, const RenderSettings& settings, const Rect& rect) {
+  const std::uint64_t of_row =
+      sample_bytes_per_pixel(scene, settings) * static_cast<std::uint64_t>(rect.width);
+  if (of_row * static_cast<std::uint64_t>(rect.height) <= most_sample_bytes) return rect.height;
+  const auto rows = static_cast<int>(most_sample_bytes / of_row);
+  return rows <= tile_size ? std::max(rows, 1) : rows / tile_size * tile_size;
+}
+
+std::uint64_t buffer_bytes(const Scene& scene, const RenderSettings& settings, const Rect& whole) {
+  const Rect rect{whole.left, whole.top, whole.width, sample_band_height(scene, settings, whole)};
   const std::uint64_t one_visibility = bytes_of_images<float, std::uint32_t>(rect);
   const std::uint64_t visibility = settings.wireframe ? 2 * one_visibility : one_visibility;
-  if (!may_be_translucent(scene, settings)) return visibility;
+  const auto pixels = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
+  const std::uint64_t seen = visibility + pixels * sample_bytes_per_pixel(scene, settings);
+  if (!may_be_translucent(scene, settings)) return seen;
   // Colour and mark of translucent pixels; the counts of fragments; per pixel the end of a list, and open.
   const std::uint64_t gathered = bytes_of_images<glm::vec4, std::uint8_t, std::uint32_t>(rect);
-  const auto pixels = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
-  return visibility + gathered + pixels * (sizeof(std::uint32_t) + sizeof(LayerBuffers::OpenPixel));
+  return seen + gathered + pixels * (sizeof(std::uint32_t) + sizeof(LayerBuffers::OpenPixel));
 }
 
 std::uint64_t memory_left(std::uint64_t bytes, const RenderSettings& settings) {

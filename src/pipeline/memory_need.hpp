@@ -14,9 +14,12 @@ bool may_be_translucent(const Scene& scene, const RenderSettings& settings);
 /// Bytes of a Picture of the rectangle, padding included.
 std::uint64_t picture_bytes(const Rect& rect);
 
-/// Bytes of the buffers that a frame works in: the visibility buffer, a second one for a wireframe, and,
-/// where something may be translucent, what the pixels gather. Lists of fragments come on top, as many as the
-/// ceiling leaves room for.
+/// Rows that are rendered at a time: all, unless the samples of so many take too much memory.
+int sample_band_height(const Scene& scene, const RenderSettings& settings, const Rect& rect);
+
+/// Bytes of the buffers that a frame works in, of a band of it under samples: the visibility buffer, a second
+/// one for a wireframe, and, where something may be translucent, what the pixels gather. Lists of fragments
+/// come on top, as many as the ceiling leaves room for.
 std::uint64_t buffer_bytes(const Scene& scene, const RenderSettings& settings, const Rect& rect);
 
 /// The bytes that the settings' ceiling (0: half of the machine's memory; what writing files takes is less

@@ -145,11 +145,16 @@ const TrianglePlanes& PixelShader::planes() {
 }
 
 SurfacePoint PixelShader::surface(int x, int y, float reversed_depth) const {
+  return surface(x, y, glm::dvec2(0.0), reversed_depth);
+}
+
+SurfacePoint PixelShader::surface(int x, int y, const glm::dvec2& from_centre, float reversed_depth) const {
   const int column = x + context_->input.rect.left;
   const int row = y + context_->input.rect.top;
+  const glm::dvec2 at(column + (0.5 + from_centre.x), row + (0.5 + from_centre.y));
   if (selected_->kind != PrimitiveKind::triangle)
-    return surface_point(selected_->line, column, row, reversed_depth);
-  return surface_point(selected_->triangle, column, row, reversed_depth);
+    return surface_point(selected_->line, at, column, row, reversed_depth);
+  return surface_point(selected_->triangle, at, column, row, reversed_depth);
 }
 
 glm::vec4 PixelShader::colour_of(const SurfacePoint& point) const {
@@ -172,12 +177,17 @@ void PixelShader::colours_of(const SurfacePoint* points, std::size_t count, glm:
 }
 
 bool PixelShader::is_wire(int x, int y, float reversed_depth) const {
+  return is_wire(x, y, pixel_centre, reversed_depth);
+}
+
+bool PixelShader::is_wire(int x, int y, const SamplePosition& sample, float reversed_depth) const {
   const ShadeInput& input = context_->input;
   if (input.wireframe == nullptr || input.wireframe->primitive.at(x, y) == no_primitive) return false;
   const float edge_r = input.wireframe->reversed_depth.at(x, y);
   if (selected_->kind != PrimitiveKind::triangle) return edge_r >= reversed_depth;
-  return is_edge_seen(selected_->depth, edge_r, x + input.rect.left, y + input.rect.top,
-                      input.settings.line_width);
+  DepthPlane surface = selected_->depth;
+  move_depth(surface, sample);
+  return is_edge_seen(surface, edge_r, x + input.rect.left, y + input.rect.top, input.settings.line_width);
 }
 
 }  // namespace velum

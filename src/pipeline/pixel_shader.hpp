@@ -9,6 +9,7 @@
 #include "../shading/triangle_planes.hpp"
 #include "../shading/triangle_view.hpp"
 #include "../visibility/depth_plane.hpp"
+#include "../visibility/sample_positions.hpp"
 #include "stages.hpp"
 
 namespace velum {
@@ -84,11 +85,15 @@ class PixelShader {
 
   /// @param x, y  pixel of the buffer
   SurfacePoint surface(int x, int y, float reversed_depth) const;
+  /// The same elsewhere in the pixel. @param from_centre  in pixels, y down
+  SurfacePoint surface(int x, int y, const glm::dvec2& from_centre, float reversed_depth) const;
   /// Linear, straight alpha.
   glm::vec4 colour_of(const SurfacePoint& point) const;
   void colours_of(const SurfacePoint* points, std::size_t count, glm::vec4* colours) const;
   /// Whether an edge of the wireframe is seen at a pixel of the buffer.
   bool is_wire(int x, int y, float reversed_depth) const;
+  /// The same at a sample, of which ShadeInput::wireframe has the edges.
+  bool is_wire(int x, int y, const SamplePosition& sample, float reversed_depth) const;
 
  private:
   void set_up(std::uint32_t primitive, VisiblePrimitive& visible) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "../base/error.hpp"
 #include "../base/floating_point.hpp"
@@ -10,6 +12,7 @@
 #include "line_stages.hpp"
 #include "memory_need.hpp"
 #include "ray_stage.hpp"
+#include "sample_stage.hpp"
 #include "shade_stage.hpp"
 #include "stages.hpp"
 #include "tile_stage.hpp"
@@ -32,6 +35,7 @@ struct Renderer::Buffers {
   ExecutorKind executor_kind = ExecutorKind::tbb;
   ShadeBuffers shaders;
   LayerBuffers layers;
+  SampleBuffers samples;
   Picture picture;
 };
 
@@ -220,6 +224,91 @@ void prepare(Renderer::Buffers& buffers, const RenderSettings& settings) {
   buffers.executor_kind = settings.executor;
 }
 
+/// How a sample is drawn for the SampleStage: as the centres are, at another place in the pixels. Nothing is
+/// counted.
+DrawSample sample_drawing(const Frame& centres, Counters& uncounted) {
+  return [&](int k, const Rect& rect, VisibilityBuffer& buffer, FragmentLists* lists) {
+    const int count = centres.settings.samples;
+    Frame frame{centres.scene, centres.settings, centres.viewing, rect, centres.buffers, uncounted, lists};
+    frame.sample = sample_positions(count)[static_cast<std::size_t>(k)];
+    frame.progress_from = lists == nullptr ? 0.8 * (k + 1) / (count + 1) : 0.81;
+    frame.progress_to = lists == nullptr ? 0.8 * (k + 2) / (count + 1) : 0.82;
+    if (lists == nullptr) std::swap(buffer, frame.buffers.visibility);
+    frame.draw_scene();
+    if (lists == nullptr) std::swap(buffer, frame.buffers.visibility);
+  };
+}
+
+/// The picture, whichever part of it is made.
+struct PictureWork {
+  Renderer::Buffers& buffers;
+  const Scene& scene;
+  const Camera& camera;
+  const ViewingTransform& viewing;
+  const RenderSettings& settings;
+  std::uint64_t memory;  ///< bytes left for lists of fragments
+};
+
+/// Everything there is to do for a part of the picture.
+void render_part(const PictureWork& work, const Rect& rect, const PictureTarget& target, Counters& counters) {
+  const auto& [buffers, scene, camera, viewing, settings, memory] = work;
+  Frame centres{scene, settings, viewing, rect, buffers, counters};
+  const bool has_samples = settings.samples > 1 && target.colour.data != nullptr;
+  if (has_samples) centres.progress_to = 0.8 / (settings.samples + 1);
+  centres.draw_scene();
+  ShadeInput input{scene, camera, viewing, settings, rect, buffers.executor};
+  input.needs_points = target.metric_depth.data != nullptr || target.normal.data != nullptr;
+  if (settings.wireframe) {
+    draw_wireframe(scene, viewing, settings, rect, buffers.wireframe);
+    input.wireframe = &buffers.wireframe.nearest;
+  }
+  Counters raster_again;  // the geometry is counted once
+  std::optional<SampleStage> samples;
+  if (has_samples) {
+    samples.emplace(input, target, buffers.samples, sample_drawing(centres, raster_again));
+    samples->find_mixed_pixels(buffers.visibility);
+  }
+  ShadeStage stage(input, target, buffers.layers, buffers.shaders);
+  stage.shade_first_layer(buffers.visibility, counters);
+  const Rect translucent = stage.translucent_box();
+  if (!translucent.is_empty() && settings.layers != 1 && !samples) {
+    shade_behind({scene, settings, viewing, rect, buffers, raster_again}, translucent, memory, stage,
+                 counters);
+  }
+  stage.finish();
+  if (samples) samples->shade(buffers.layers, most_fragments(scene, memory), counters);
+}
+
+template <typename T>
+ImageView<T> rows_of(const ImageView<T>& view, int top, int height) {
+  if (view.data == nullptr) return {};
+  return {view.row(top), view.width, height, view.stride};
+}
+PictureTarget rows_of(const PictureTarget& target, int top, int height) {
+  return {rows_of(target.colour, top, height),       rows_of(target.depth, top, height),
+          rows_of(target.metric_depth, top, height), rows_of(target.normal, top, height),
+          rows_of(target.object_id, top, height),    rows_of(target.triangle_id, top, height)};
+}
+
+/// The picture in bands that bound what the samples take; most often it is one. The geometry is counted in
+/// the first.
+void render_bands(const PictureWork& work, const Rect& rect, const PictureTarget& target,
+                  Counters& counters) {
+  const int most = sample_band_height(work.scene, work.settings, rect);
+  if (most == rect.height) return render_part(work, rect, target, counters);
+  for (int top = 0; top < rect.height; top += most) {
+    const int height = std::min(most, rect.height - top);
+    RenderSettings settings = work.settings;
+    settings.progress = [&](double share) {
+      return !work.settings.progress || work.settings.progress((top + share * height) / rect.height);
+    };
+    Counters of_band;
+    render_part({work.buffers, work.scene, work.camera, work.viewing, settings, work.memory},
+                {rect.left, rect.top + top, rect.width, height}, rows_of(target, top, height), of_band);
+    top == 0 ? counters = of_band : counters += of_band.of_pixels();
+  }
+}
+
 /// @param memory  bytes left for lists of fragments
 Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Camera& camera,
                       const RenderSettings& settings, const PictureTarget& target, std::uint64_t memory) {
@@ -227,27 +316,13 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   const Rect rect = requested_rect(settings);
   check_method(settings);
   check_widths(settings);
+  check_samples(settings);
   check_machine(settings);
   const ViewingTransform viewing = requested_view(camera, settings);
   prepare(buffers, settings);
   check_target(target, rect);
   Counters counters;
-  Frame{scene, settings, viewing, rect, buffers, counters}.draw_scene();
-  ShadeInput input{scene, camera, viewing, settings, rect, buffers.executor};
-  input.needs_points = target.metric_depth.data != nullptr || target.normal.data != nullptr;
-  if (settings.wireframe) {
-    draw_wireframe(scene, viewing, settings, rect, buffers.wireframe);
-    input.wireframe = &buffers.wireframe.nearest;
-  }
-  ShadeStage stage(input, target, buffers.layers, buffers.shaders);
-  stage.shade_first_layer(buffers.visibility, counters);
-  const Rect translucent = stage.translucent_box();
-  if (!translucent.is_empty() && settings.layers != 1) {
-    Counters raster_again;  // the geometry is counted once
-    shade_behind({scene, settings, viewing, rect, buffers, raster_again}, translucent, memory, stage,
-                 counters);
-  }
-  stage.finish();
+  render_bands({buffers, scene, camera, viewing, settings, memory}, rect, target, counters);
   report_progress(settings, 1.0);
   return counters;
 }

@@ -61,6 +61,7 @@ struct RenderSettings {
   float line_width = 1.0f;     ///< of segments and of the wireframe, pixels, 1 … 256
   float point_size = 3.0f;     ///< side of the square that a point is drawn as, pixels, 1 … 256
   bool wireframe = false;      ///< edges of the triangles over the picture, hidden ones removed
+  int samples = 1;             ///< per pixel, for smooth edges: 1, 4, 8 or 16; only colour depends on them
   std::uint64_t layers = 0;    ///< most translucent layers blended per pixel; 0: until exhausted
   std::optional<Rect> crop{};  ///< render only these pixels of the picture; equals the same part of the whole
   int threads = 0;  ///< how many run at once, up to most_threads; 0: as the machine has. Same bytes

@@ -48,6 +48,7 @@ void WireframeBuffers::draw_edges(const Scene& scene, std::uint32_t index, const
     for (std::size_t i = first; i < std::min(first + batch_size, edges.size()); ++i) {
       set_up_segment(vertices, edges[i], 0, settings.line_width, viewport, uncounted, screen_triangles);
     }
+    move_all_to(sample, screen_triangles);
     rasterize_zbuffer(screen_triangles, {nearest, rect});
   }
 }

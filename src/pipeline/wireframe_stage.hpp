@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../visibility/sample_positions.hpp"
 #include "stages.hpp"
 
 namespace velum {
@@ -12,7 +13,8 @@ struct WireframeBuffers {
   ClipVertices vertices;
   std::vector<glm::uvec2> edges;
   std::vector<ScreenTriangle> screen_triangles;
-  VisibilityBuffer nearest;  ///< the nearest edge at each pixel; its ids mean nothing
+  VisibilityBuffer nearest;              ///< the nearest edge at each pixel; its ids mean nothing
+  SamplePosition sample = pixel_centre;  ///< where in the pixels the edges are drawn
 
   void draw_edges(const Scene& scene, std::uint32_t instance, const glm::dmat4& clip_from_object,
                   const RenderSettings& settings, const Rect& rect);

@@ -80,9 +80,13 @@ LineView view_line(const Scene& scene, const PrimitivePlace& place, const glm::d
 }
 
 double parameter_at(const LineView& line, int x, int y) {
+  return parameter_at(line, glm::dvec2(x + 0.5, y + 0.5));
+}
+
+double parameter_at(const LineView& line, const glm::dvec2& at) {
   if (line.place.kind == PrimitiveKind::point) return 0.0;
-  // With the origin moved to the pixel's centre, s(t) = 0 is linear: e0 + t·(e1 - e0) = 0.
-  const double s = (line.x_major ? x : y) + 0.5;
+  // With the origin moved there, s(t) = 0 is linear: e0 + t·(e1 - e0) = 0.
+  const double s = line.x_major ? at.x : at.y;
   const double e0 = line.along[0].x - s * line.along[0].y;
   const double e1 = line.along[1].x - s * line.along[1].y;
   const double t = e0 / (e0 - e1);
@@ -91,7 +95,11 @@ double parameter_at(const LineView& line, int x, int y) {
 }
 
 SurfacePoint surface_point(const LineView& line, int x, int y, float reversed_depth) {
-  const double t = parameter_at(line, x, y);
+  return surface_point(line, {x + 0.5, y + 0.5}, x, y, reversed_depth);
+}
+
+SurfacePoint surface_point(const LineView& line, const glm::dvec2& at, int x, int y, float reversed_depth) {
+  const double t = parameter_at(line, at);
   SurfacePoint point;
   point.position = between(line.world, t);
   point.to_viewer = to_viewer_from(point.position, line.eye);

@@ -35,11 +35,15 @@ LineView view_line(const Scene& scene, const PrimitivePlace& place, const glm::d
 /// The perspective-correct parameter where the segment passes the centre of column (row) x (y), 0…1 from its
 /// first end to its second; exactly 0 or 1 beyond an end, and 0 on a point.
 double parameter_at(const LineView& line, int x, int y);
+/// The same in the column (row) of another position: pixels, y down, centres at +0.5.
+double parameter_at(const LineView& line, const glm::dvec2& at);
 
 /// Everything a shader may want to know of the segment or point at pixel (x, y) of the whole picture: the
 /// place on the segment in the same column (row), so all pixels across a wide line are alike.
 /// @param reversed_depth  as the visibility buffer has it
 SurfacePoint surface_point(const LineView& line, int x, int y, float reversed_depth);
+/// The same elsewhere in the pixel. @param at  pixels, y down, centres at +0.5
+SurfacePoint surface_point(const LineView& line, const glm::dvec2& at, int x, int y, float reversed_depth);
 
 /// The colour of a point of a segment or point, linear with straight alpha. The lit shadings all light it at
 /// every pixel with its shading normal; without one it shows its own colour, unlit.

@@ -46,7 +46,12 @@ void apply_texture(SurfacePoint& point, const TriangleView& triangle, const glm:
 }  // namespace
 
 SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float reversed_depth) {
-  const Barycentrics barycentrics = barycentrics_at(triangle, x + 0.5, y + 0.5);
+  return surface_point(triangle, {x + 0.5, y + 0.5}, x, y, reversed_depth);
+}
+
+SurfacePoint surface_point(const TriangleView& triangle, const glm::dvec2& at, int x, int y,
+                           float reversed_depth) {
+  const Barycentrics barycentrics = barycentrics_at(triangle, at.x, at.y);
   SurfacePoint point;
   point.position = interpolate(triangle.world, barycentrics.clamped);
   point.to_viewer = to_viewer_from(point.position, triangle.eye);
@@ -55,7 +60,7 @@ SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float rev
   point.shading_normal = shading_normal(triangle, point.barycentric);
   point.colour = interpolate(triangle.colours, point.barycentric);
   point.texture_coordinate = interpolate(triangle.texture_coordinates, point.barycentric);
-  const glm::dmat2 change = texture_derivatives_at(triangle, x + 0.5, y + 0.5);
+  const glm::dmat2 change = texture_derivatives_at(triangle, at.x, at.y);
   point.texture_dx = change[0];
   point.texture_dy = change[1];
   point.metric_depth = metric_depth(triangle, barycentrics);

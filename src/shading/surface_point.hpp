@@ -12,6 +12,8 @@
 namespace velum {
 
 /// Everything a shader may want to know of the surface seen at one pixel. World space unless said otherwise.
+/// Under RenderSettings::samples, where the surface covers a part of the pixel's samples, it is evaluated at
+/// the centroid of those at which it is seen, not at the pixel's centre.
 struct SurfacePoint {
   glm::dvec3 position{0.0};             ///< on the primitive, at the pixel's centre
   glm::dvec3 to_viewer{0.0, 0.0, 1.0};  ///< unit length

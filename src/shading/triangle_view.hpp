@@ -79,5 +79,9 @@ glm::dmat2 texture_derivatives_at(const TriangleView& triangle, double px, doubl
 /// those of a point on the triangle close by, never extrapolated.
 /// @param reversed_depth  as the visibility buffer has it
 SurfacePoint surface_point(const TriangleView& triangle, int x, int y, float reversed_depth);
+/// The same elsewhere in the pixel.
+/// @param at  pixels, y down, centres at +0.5
+SurfacePoint surface_point(const TriangleView& triangle, const glm::dvec2& at, int x, int y,
+                           float reversed_depth);
 
 }  // namespace velum

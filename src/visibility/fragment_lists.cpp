@@ -39,7 +39,7 @@ std::vector<Rect> FragmentLists::parts(std::uint64_t most) const {
   for (int i = 0; i < wanted_.height; ++i) {
     const Rect row{wanted_.left, wanted_.top + i, wanted_.width, 1};
     const std::uint32_t* const counts = counts_.row(i);
-    const std::uint64_t of_row = std::accumulate(counts, counts + row.width, std::uint64_t{0});
+    const std::uint64_t of_row = count_of_row(row.top);
     if (may_grow && gathered + of_row <= most) {
       gathered += of_row;
       ++parts.back().height;
@@ -54,6 +54,11 @@ std::vector<Rect> FragmentLists::parts(std::uint64_t most) const {
     }
   }
   return parts;
+}
+
+std::uint64_t FragmentLists::count_of_row(int y) const {
+  const std::uint32_t* const counts = counts_.row(y - wanted_.top);
+  return std::accumulate(counts, counts + wanted_.width, std::uint64_t{0});
 }
 
 void FragmentLists::begin_storing(const Rect& part) {

@@ -40,6 +40,9 @@ class FragmentLists {
   /// single pixel.
   std::vector<Rect> parts(std::uint64_t most) const;
 
+  /// How many there are in a row of `wanted`, picture coordinates. @pre counted
+  std::uint64_t count_of_row(int y) const;
+
   /// @pre part is one of parts(), or any rectangle in `wanted` with fewer than 2³² fragments
   void begin_storing(const Rect& part);
 
