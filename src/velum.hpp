@@ -20,6 +20,7 @@
 #include "drawing/pixel_drawing.hpp"
 #include "drawing/sheet.hpp"
 #include "image/compare.hpp"
+#include "image/downsample.hpp"
 #include "image/files.hpp"
 #include "image/heat_map.hpp"
 #include "image/image.hpp"

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <velum/drawing/octree_drawing.hpp>
+#include <velum/pipeline/supersample_stage.hpp>
 #include <velum/shading/shading_names.hpp>
 #include <velum/velum.hpp>
 
@@ -34,6 +35,10 @@ const std::map<std::string, TextureFilter> texture_filter_names{{"nearest", Text
                                                                 {"bilinear", TextureFilter::bilinear},
                                                                 {"trilinear", TextureFilter::trilinear}};
 
+const std::map<std::string, DownsampleFilter> filter_names{{"box", DownsampleFilter::box},
+                                                           {"tent", DownsampleFilter::tent},
+                                                           {"mitchell", DownsampleFilter::mitchell}};
+
 struct RenderOptions {
   std::string input;
   std::string shading = "phong", cull = "none", background = "transparent";
@@ -47,7 +52,8 @@ struct RenderOptions {
   bool report_work = false;
   std::optional<std::string> crop;
   std::string layers = "0";
-  int samples = 1;
+  int samples = 1, supersample = 1;
+  std::string filter = "box";
   std::optional<std::string> picture, depth, metric_depth, normals, object_ids, triangle_ids, report;
 };
 
@@ -82,6 +88,17 @@ void add_picture_options(CLI::App& parser, RenderOptions& o) {
   parser.add_option("--samples", o.samples, "Per pixel, for smooth edges: 4, 8 or 16 (default: 1, none)")
       ->check(CLI::IsMember({1, 4, 8, 16}))
       ->type_name("N");
+  CLI::Option* const supersample =
+      parser
+          .add_option("--supersample", o.supersample,
+                      "Render N times as large, 2 to 8, and filter down: slower, textures smooth too")
+          ->check(CLI::Range(1, most_supersampling))
+          ->type_name("N");
+  parser
+      .add_option("--filter", o.filter,
+                  "How --supersample filters: box (default), tent, or mitchell, the sharpest")
+      ->check(CLI::IsMember(&filter_names))
+      ->needs(supersample);
   o.lines.add_to(parser);
   parser
       .add_option("--layers", o.layers,
@@ -139,6 +156,8 @@ RenderSettings settings_from(const RenderOptions& o, const Size& size) {
   settings.cull = cull_names.at(o.cull);
   settings.wireframe = o.wireframe;
   settings.samples = o.samples;
+  settings.supersample = o.supersample;
+  settings.supersample_filter = filter_names.at(o.filter);
   settings.layers = whole_number_from(o.layers, "--layers");
   o.lines.apply_to(settings);
   if (o.crop) settings.crop = rect_from(*o.crop, "--crop");

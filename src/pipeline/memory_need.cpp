@@ -9,6 +9,7 @@
 #include "picture.hpp"
 #include "sample_stage.hpp"
 #include "shade_stage.hpp"
+#include "supersample_stage.hpp"
 
 namespace velum {
 namespace {
@@ -58,7 +59,7 @@ constexpr std::uint64_t most_sample_bytes = std::uint64_t{1} << 28;
 /// Per pixel: what each sample sees, and, where something may be translucent, the groups of its first layers;
 /// marks of the wireframe and of open pixels.
 std::uint64_t sample_bytes_per_pixel(const Scene& scene, const RenderSettings& settings) {
-  if (settings.samples == 1) return 0;
+  if (settings.samples == 1 || !is_sample_count(settings.samples)) return 0;
   const std::uint64_t of_sample = may_be_translucent(scene, settings) ? 8 + sizeof(SampleGroup) : 8;
   const std::uint64_t marks = sizeof(MixedPixel) + 2 * sizeof(std::uint32_t);
   return static_cast<std::uint64_t>(settings.samples) * of_sample + marks;
@@ -74,7 +75,9 @@ int sample_band_height(const Scene& scene, const RenderSettings& settings, const
   return rows <= tile_size ? std::max(rows, 1) : rows / tile_size * tile_size;
 }
 
-std::uint64_t buffer_bytes(const Scene& scene, const RenderSettings& settings, const Rect& whole) {
+namespace {
+
+std::uint64_t bytes_of_bands(const Scene& scene, const RenderSettings& settings, const Rect& whole) {
   const Rect rect{whole.left, whole.top, whole.width, sample_band_height(scene, settings, whole)};
   const std::uint64_t one_visibility = bytes_of_images<float, std::uint32_t>(rect);
   const std::uint64_t visibility = settings.wireframe ? 2 * one_visibility : one_visibility;
@@ -84,6 +87,26 @@ std::uint64_t buffer_bytes(const Scene& scene, const RenderSettings& settings, c
   // Colour and mark of translucent pixels; the counts of fragments; per pixel the end of a list, and open.
   const std::uint64_t gathered = bytes_of_images<glm::vec4, std::uint8_t, std::uint32_t>(rect);
   return seen + gathered + pixels * (sizeof(std::uint32_t) + sizeof(LayerBuffers::OpenPixel));
+}
+
+/// A band of the larger picture in itself, and what it takes to render it.
+std::uint64_t bytes_of_larger(const Scene& scene, const RenderSettings& settings, const Rect& rect) {
+  const int margin = static_cast<int>(2.0 * radius_of(settings.supersample_filter)) * settings.supersample;
+  const int width = rect.width * settings.supersample + margin;
+  const int height = rect.height * settings.supersample + margin;
+  const Rect band{0, 0, width, std::min(height, supersample_band_height(width))};
+  return bytes_of_images<Rgba8>(band) + bytes_of_bands(scene, settings, band);
+}
+
+}  // namespace
+
+std::uint64_t buffer_bytes(const Scene& scene, const RenderSettings& settings, const Rect& rect) {
+  if (settings.supersample <= 1 || settings.supersample > most_supersampling)
+    return bytes_of_bands(scene, settings, rect);
+  RenderSettings plain = settings;
+  plain.samples = 1;
+  // One after the other in the same buffers.
+  return std::max(bytes_of_bands(scene, plain, rect), bytes_of_larger(scene, settings, rect));
 }
 
 std::uint64_t memory_left(std::uint64_t bytes, const RenderSettings& settings) {

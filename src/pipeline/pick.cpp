@@ -75,6 +75,7 @@ std::optional<PickResult> pick(const Scene& scene, const Camera& camera, const R
   one_pixel.shading = Shading::triangle_id;
   one_pixel.shader = nullptr;
   one_pixel.layers = 1;
+  one_pixel.samples = one_pixel.supersample = 1;
   return pick(render(scene, camera, one_pixel), scene, camera, one_pixel, x, y);
 }
 

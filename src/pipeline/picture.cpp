@@ -31,4 +31,18 @@ Rect Picture::bounding_box() const {
   return right <= left ? Rect{} : Rect{left, top, right - left, bottom - top};
 }
 
+namespace {
+
+template <typename T>
+ImageView<T> rows_of(const ImageView<T>& view, int top, int count) {
+  return view.data == nullptr ? ImageView<T>{} : ImageView<T>{view.row(top), view.width, count, view.stride};
+}
+
+}  // namespace
+
+PictureTarget PictureTarget::rows(int top, int count) const {
+  return {rows_of(colour, top, count), rows_of(depth, top, count),     rows_of(metric_depth, top, count),
+          rows_of(normal, top, count), rows_of(object_id, top, count), rows_of(triangle_id, top, count)};
+}
+
 }  // namespace velum

@@ -36,6 +36,9 @@ struct PictureTarget {
   ImageView<glm::vec3> normal{};
   ImageView<std::uint32_t> object_id{};
   ImageView<std::uint32_t> triangle_id{};
+
+  /// The same outputs for a part of the rows.
+  PictureTarget rows(int top, int count) const;
 };
 
 }  // namespace velum

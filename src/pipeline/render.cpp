@@ -15,6 +15,7 @@
 #include "sample_stage.hpp"
 #include "shade_stage.hpp"
 #include "stages.hpp"
+#include "supersample_stage.hpp"
 #include "tile_stage.hpp"
 #include "wireframe_stage.hpp"
 
@@ -36,6 +37,7 @@ struct Renderer::Buffers {
   ShadeBuffers shaders;
   LayerBuffers layers;
   SampleBuffers samples;
+  Image<Rgba8> band;  ///< of a larger picture
   Picture picture;
 };
 
@@ -247,6 +249,10 @@ struct PictureWork {
   const ViewingTransform& viewing;
   const RenderSettings& settings;
   std::uint64_t memory;  ///< bytes left for lists of fragments
+
+  PictureWork with(const RenderSettings& other) const {
+    return {buffers, scene, camera, viewing, other, memory};
+  }
 };
 
 /// Everything there is to do for a part of the picture.
@@ -279,17 +285,6 @@ void render_part(const PictureWork& work, const Rect& rect, const PictureTarget&
   if (samples) samples->shade(buffers.layers, most_fragments(scene, memory), counters);
 }
 
-template <typename T>
-ImageView<T> rows_of(const ImageView<T>& view, int top, int height) {
-  if (view.data == nullptr) return {};
-  return {view.row(top), view.width, height, view.stride};
-}
-PictureTarget rows_of(const PictureTarget& target, int top, int height) {
-  return {rows_of(target.colour, top, height),       rows_of(target.depth, top, height),
-          rows_of(target.metric_depth, top, height), rows_of(target.normal, top, height),
-          rows_of(target.object_id, top, height),    rows_of(target.triangle_id, top, height)};
-}
-
 /// The picture in bands that bound what the samples take; most often it is one. The geometry is counted in
 /// the first.
 void render_bands(const PictureWork& work, const Rect& rect, const PictureTarget& target,
@@ -303,10 +298,35 @@ void render_bands(const PictureWork& work, const Rect& rect, const PictureTarget
       return !work.settings.progress || work.settings.progress((top + share * height) / rect.height);
     };
     Counters of_band;
-    render_part({work.buffers, work.scene, work.camera, work.viewing, settings, work.memory},
-                {rect.left, rect.top + top, rect.width, height}, rows_of(target, top, height), of_band);
+    render_part(work.with(settings), {rect.left, rect.top + top, rect.width, height},
+                target.rows(top, height), of_band);
     top == 0 ? counters = of_band : counters += of_band.of_pixels();
   }
+}
+
+/// Colour from a picture that is larger, everything else from one of the size asked for.
+void render_supersampled(const PictureWork& work, const Rect& rect, const PictureTarget& target,
+                         Counters& counters) {
+  const RenderSettings& settings = work.settings;
+  RenderSettings plain = settings;
+  plain.samples = plain.supersample = 1;
+  plain.progress = [&settings](double share) { return !settings.progress || settings.progress(0.1 * share); };
+  PictureTarget without_colour = target;
+  without_colour.colour = {};
+  render_part(work.with(plain), rect, without_colour, counters);
+  if (target.colour.data == nullptr) return;
+  RenderSettings larger = enlarged(settings);
+  const RenderColour render = [&](const Rect& part, const ImageView<Rgba8>& colour, double from, double to) {
+    larger.progress = [&settings, from, to](double share) {
+      return !settings.progress || settings.progress(0.1 + 0.9 * (from + (to - from) * share));
+    };
+    PictureTarget only_colour;
+    only_colour.colour = colour;
+    Counters of_band;
+    render_bands(work.with(larger), part, only_colour, of_band);
+    counters += of_band.of_pixels();
+  };
+  supersample(settings, rect, target.colour, work.buffers.band, render);
 }
 
 /// @param memory  bytes left for lists of fragments
@@ -317,12 +337,15 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
   check_method(settings);
   check_widths(settings);
   check_samples(settings);
+  check_supersampling(settings);
   check_machine(settings);
   const ViewingTransform viewing = requested_view(camera, settings);
   prepare(buffers, settings);
   check_target(target, rect);
   Counters counters;
-  render_bands({buffers, scene, camera, viewing, settings, memory}, rect, target, counters);
+  const PictureWork work{buffers, scene, camera, viewing, settings, memory};
+  const auto make = settings.supersample > 1 ? render_supersampled : render_bands;
+  make(work, rect, target, counters);
   report_progress(settings, 1.0);
   return counters;
 }

@@ -9,6 +9,7 @@
 #include "../base/rect.hpp"
 #include "../clipping/clip_volume.hpp"
 #include "../image/colour.hpp"
+#include "../image/downsample.hpp"
 #include "../raycast/accelerator_kind.hpp"
 #include "../shading/shader_ref.hpp"
 #include "../shading/shading.hpp"
@@ -58,10 +59,14 @@ struct RenderSettings {
   /// Which planes cut triangles (segments and points: always the view volume's six). Pictures differ only in
   /// which triangles cover a pixel centre within √2/512 pixel of an edge.
   ClipPolicy clip = ClipPolicy::guard;
-  float line_width = 1.0f;     ///< of segments and of the wireframe, pixels, 1 … 256
-  float point_size = 3.0f;     ///< side of the square that a point is drawn as, pixels, 1 … 256
-  bool wireframe = false;      ///< edges of the triangles over the picture, hidden ones removed
-  int samples = 1;             ///< per pixel, for smooth edges: 1, 4, 8 or 16; only colour depends on them
+  float line_width = 1.0f;  ///< of segments and of the wireframe, pixels, 1 … 256
+  float point_size = 3.0f;  ///< side of the square that a point is drawn as, pixels, 1 … 256
+  bool wireframe = false;   ///< edges of the triangles over the picture, hidden ones removed
+  int samples = 1;          ///< per pixel, for smooth edges: 1, 4, 8 or 16; only colour depends on them
+  /// Colour is that of a picture so many times the size, 1 … 8, made smaller by the filter; lines and points
+  /// are drawn larger in it, samples apply to it, and a custom shader sees its pixels.
+  int supersample = 1;
+  DownsampleFilter supersample_filter = DownsampleFilter::box;
   std::uint64_t layers = 0;    ///< most translucent layers blended per pixel; 0: until exhausted
   std::optional<Rect> crop{};  ///< render only these pixels of the picture; equals the same part of the whole
   int threads = 0;  ///< how many run at once, up to most_threads; 0: as the machine has. Same bytes

@@ -154,3 +154,32 @@ TEST_CASE("a locale with a decimal comma changes nothing") {
   CHECK(place.read("a.png") == place.read("b.png"));
   CHECK(place.read("a.json") == place.read("b.json"));
 }
+
+TEST_CASE("--samples and --supersample smooth edges and change nothing but colour") {
+  const Workplace place;
+  const std::string render = "render builtin:letter-f --size 64x48 --quiet ";
+  REQUIRE(place.velum(render + "-o a.png --depth a.npy").code == 0);
+  REQUIRE(place.velum(render + "--samples 8 -o b.png --depth b.npy").code == 0);
+  REQUIRE(place.velum(render + "--supersample 2 --filter mitchell -o c.png --depth c.npy").code == 0);
+  CHECK(place.read("a.npy") == place.read("b.npy"));
+  CHECK(place.read("a.npy") == place.read("c.npy"));
+  CHECK(place.read("a.png") != place.read("b.png"));
+  CHECK(place.read("b.png") != place.read("c.png"));
+}
+
+TEST_CASE("samples and filters that do not exist end with 2 and say what there is") {
+  const Workplace place;
+  const Outcome samples = place.velum("render builtin:cube --samples 5");
+  CHECK(samples.code == 2);
+  CHECK(contains(samples.err, "--samples"));
+  CHECK(contains(samples.err, "16"));
+  CHECK(place.velum("render builtin:cube --supersample 9").code == 2);
+  CHECK(place.velum("render builtin:cube --supersample 2 --filter lanczos").code == 2);
+  const Outcome alone = place.velum("render builtin:cube --filter tent");
+  CHECK(alone.code == 2);
+  CHECK(contains(alone.err, "--supersample"));
+  const Outcome large = place.velum("render builtin:cube --size 20000x100 --supersample 2");
+  CHECK(large.code == 2);
+  CHECK(contains(large.err, "32768"));
+  CHECK(place.files().empty());
+}
