@@ -65,7 +65,7 @@ int run_check(const Options& options) {
   const std::vector<Verdict> verdicts = verdicts_on(figures);
   print(table_of(verdicts), options);
   write_text(options.out / "check.csv", csv_of(rows));
-  write_text(options.out / "check.svg", bar_chart_of(figures.frames, machine_description()));
+  write_text(options.out / "check.svg", bar_chart_of(figures.frames, circumstances(options)));
   return all_pass(verdicts) ? 0 : 1;
 }
 

@@ -21,11 +21,11 @@ std::string contenders(const Options& options) {
          (options.is_cpu_time ? ", PROCESSOR TIME" : "");
 }
 
+}  // namespace
+
 std::string circumstances(const Options& options) {
   return contenders(options) + "; " + machine_description();
 }
-
-}  // namespace
 
 void print_circumstances(const Options& options) {
   std::printf("%s\n\n", circumstances(options).c_str());

@@ -17,6 +17,8 @@ int run_growth(const Options& options);
 /// What the machine itself can do.
 int run_limits(const Options& options);
 
+/// Who is measured, how, and on which machine.
+std::string circumstances(const Options& options);
 /// The lines over a table: machine, threads, contenders; what is not as it should be, to standard error.
 void print_circumstances(const Options& options);
 /// A table as the options want it.
