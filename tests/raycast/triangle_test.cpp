@@ -135,17 +135,19 @@ TEST_CASE("no random ray slips through the common edges of a fan that fills its 
 
 TEST_CASE("a hit lies inside the interval of the triangle's box, also where the ray grazes it") {
   Random random{10};
-  for (int i = 0; i < 3000; ++i) {
-    const glm::dvec3 a = random_point(random), b = random_point(random), c = random_point(random);
-    const Triangle triangle{a, b, c};
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // Corners on whole multiples, so that rays in the plane are so nearly: t is then anybody's guess.
+    const auto corner = [&] { return glm::dvec3(random.below(9), random.below(9), random.below(9)) * 0.25; };
+    const glm::dvec3 a = corner(), b = corner(), c = corner();
     const glm::dvec3 inside = a + (b - a) * 0.3 + (c - a) * 0.3;
     const glm::dvec3 along = (b - a) * random.uniform(-1, 1) + (c - a) * random.uniform(-1, 1);
-    const glm::dvec3 off = glm::cross(b - a, c - a) * random.uniform(-1e-15, 1e-15);
-    const Ray ray{inside - along * 2.0, along + off};
-    const PreparedRay prepared(ray, {}, bounds_of(triangle));
-    const auto hit = intersect_watertight(prepared, triangle);
+    const Aabb box = bounds_of({a, b, c});
+    const PreparedRay prepared({inside - along * 2.0, along}, {}, box);
+    const auto hit = intersect_watertight(prepared, {a, b, c});
     if (!hit) continue;
-    const Aabb box = bounds_of(triangle);
+    ++hits;
     CHECK(prepared.through(box.lower, box.upper).contains(hit->t));
   }
+  CHECK(hits > 1000);
 }
