@@ -46,6 +46,15 @@ class Image {
     pixels_.assign(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height), value);
   }
 
+  /// Sets the size; the pixels have any values. Keeps the memory where it suffices.
+  void reshape(int width, int height) {
+    VELUM_REQUIRE(width >= 0 && height >= 0, {"width", width}, {"height", height});
+    width_ = width;
+    height_ = height;
+    stride_ = padded(width);
+    pixels_.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height));
+  }
+
   /// The memory that a picture of this size takes, with its padding.
   static std::uint64_t bytes_for(int width, int height) {
     return static_cast<std::uint64_t>(padded(width)) * static_cast<std::uint64_t>(height) * sizeof(T);

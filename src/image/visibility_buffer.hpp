@@ -22,6 +22,11 @@ struct VisibilityBuffer {
     reversed_depth.resize(width, height, 0.0f);
     primitive.resize(width, height, no_primitive);
   }
+  /// Sets the size; what is in it is anything.
+  void reshape(int width, int height) {
+    reversed_depth.reshape(width, height);
+    primitive.reshape(width, height);
+  }
   int width() const { return primitive.width(); }
   int height() const { return primitive.height(); }
 };

@@ -76,6 +76,7 @@ struct TiledClusterBuffers {
     std::uint32_t first = 0;  ///< entries of the batch
     std::uint32_t last = 0;
     std::size_t triangles = 0;
+    ScreenPrimitives primitives;
     TileBins bins;
     Counters counters;
   };
@@ -108,9 +109,10 @@ class TiledClusters : public ClusterDrawer {
   using Worker = TiledClusterBuffers::Worker;
   void make_groups(const ClusterBatch& batch);
   void set_up_group(const ClusterBatch& batch, Group& group, Worker& worker) const;
-  void set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, Counters& counters,
+  void set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, Group& group,
                       Worker& worker) const;
-  SetUpWork work_for(const Instance& instance, const MeshCluster& cluster, Worker& worker) const;
+  SetUpWork work_for(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, Group& group,
+                     Worker& worker) const;
   void set_up_slow(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, std::size_t count,
                    Counters& counters, Worker& worker) const;
   void leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const;

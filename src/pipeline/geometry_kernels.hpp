@@ -39,12 +39,13 @@ struct SetUpWork {
   const std::uint32_t* indices;  ///< three per triangle, of the whole mesh
   std::uint32_t first;           ///< triangles first … last-1 are looked at
   std::uint32_t last;
-  std::uint32_t first_primitive;    ///< id of triangle 0 …
-  const std::uint32_t* primitives;  ///< … or, if not null, the ids of the triangles
-  const float* positions;           ///< of the whole mesh: x, y, z per vertex, object space
-  const double* clip_from_object;   ///< 16, column by column
-  const PlacedVertex* placed;       ///< of the whole mesh, as TransformWork gave it
-  int width;                        ///< of the whole picture, pixels
+  /// A triangle's id is this and its number or, where `primitives` is not null, what stands there for it.
+  std::uint32_t first_primitive;
+  const std::uint32_t* primitives;
+  const float* positions;          ///< of the whole mesh: x, y, z per vertex, object space
+  const double* clip_from_object;  ///< 16, column by column
+  const PlacedVertex* placed;      ///< of the whole mesh, as TransformWork gave it
+  int width;                       ///< of the whole picture, pixels
   int height;
   int target_left, target_top, target_right, target_bottom;  ///< the pixels wanted
   int tile_columns;                                          ///< see TileGrid

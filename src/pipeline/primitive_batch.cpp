@@ -13,6 +13,7 @@ struct RunSetUp {
   const PlacedVertices& vertices;
   const PrimitiveRun& run;
   Counters& counters;
+  ScreenPrimitives& out;
   BatchScratch& scratch;
   const Instance& instance = input.scene.instances()[run.instance];
   const Mesh& mesh = input.scene.meshes()[instance.mesh];
@@ -21,7 +22,6 @@ struct RunSetUp {
 
   SetUpWork work() const {
     const Rect& target = input.grid.target;
-    ScreenPrimitives& out = scratch.primitives;
     SetUpWork work{};
     work.indices = &mesh.triangles[0].x;
     work.first = run.first;
@@ -49,7 +49,6 @@ struct RunSetUp {
 
   void set_up_triangles() {
     scratch.slow.make_room(run.count());
-    ScreenPrimitives& out = scratch.primitives;
     out.make_room(run.count());
     const SetUpResult result = input.set_up(work(), counters);
     out.large_count += result.large;
@@ -120,17 +119,17 @@ void set_culling(SetUpWork& work, Cull cull, bool mirrored) {
 void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,
                   BatchScratch& scratch) {
   batch.counters = {};
-  scratch.primitives.clear();
-  scratch.primitives.make_room(batch.count);
+  batch.primitives.clear();
+  batch.primitives.make_room(batch.count);
   for (const PrimitiveRun& run : batch.runs) {
     scratch.screen_triangles.clear();
-    RunSetUp{input, vertices[run.vertices], run, batch.counters, scratch}.set_up_run();
+    RunSetUp{input, vertices[run.vertices], run, batch.counters, batch.primitives, scratch}.set_up_run();
     move_all_to(input.sample, scratch.screen_triangles);
     for (const ScreenTriangle& triangle : scratch.screen_triangles) {
-      if (!append_triangle(triangle, input.grid, scratch.primitives)) ++batch.counters.zero_area;
+      if (!append_triangle(triangle, input.grid, batch.primitives)) ++batch.counters.zero_area;
     }
   }
-  batch.bins.sort(scratch.primitives, input.grid);
+  batch.bins.sort(batch.primitives, input.grid);
 }
 
 }  // namespace velum

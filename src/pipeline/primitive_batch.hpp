@@ -32,9 +32,10 @@ struct PrimitiveRun {
 /// What one worker sets up and sorts into tiles in one go.
 struct PrimitiveBatch {
   std::vector<PrimitiveRun> runs;
-  std::uint32_t count = 0;  ///< of primitives in the runs
-  TileBins bins;            ///< out
-  Counters counters;        ///< out: of these primitives
+  std::uint32_t count = 0;      ///< of primitives in the runs
+  ScreenPrimitives primitives;  ///< out
+  TileBins bins;                ///< out: of the primitives
+  Counters counters;            ///< out: of these primitives
 
   void clear() {
     runs.clear();
@@ -53,7 +54,6 @@ struct BatchInput {
 
 /// Memory of a worker.
 struct BatchScratch {
-  ScreenPrimitives primitives;
   KeptArray<std::uint32_t> slow;  ///< triangles that take the plain path
   std::vector<ScreenTriangle> screen_triangles;
 };

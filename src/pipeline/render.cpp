@@ -70,6 +70,7 @@ struct Frame {
   Counters& counters;
   FragmentLists* lists = nullptr;  ///< where given, all fragments go there and none to the visibility buffer
   SamplePosition sample = pixel_centre;  ///< where in the pixels visibility is decided
+  const TileSink* sink = nullptr;        ///< see TileStageInput; only if is_for_tiles()
   double progress_from = 0.0;
   double progress_to = 0.8;
   const Viewport viewport{settings.width, settings.height};
@@ -139,6 +140,8 @@ struct Frame {
            sample == pixel_centre;
   }
 
+  bool is_for_tiles() const { return is_for_kernels() && !is_for_hierarchy(); }
+
   /// Segments and points alone: for methods that know only triangles.
   void draw_lines_of_all() {
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
@@ -152,11 +155,15 @@ struct Frame {
   }
 
   void draw_scene() {
-    if (lists == nullptr) buffers.visibility.clear(rect.width, rect.height);
     const std::function<void(double)> progress = [this](double drawn) {
       report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
     };
-    const TileStageInput input{scene, viewing, settings, rect, buffers.executor, progress, sample};
+    const TileStageInput input{scene, viewing, settings, rect, buffers.executor, progress, sample, sink};
+    if (is_for_tiles()) {
+      draw_in_tiles(input, buffers.tiles, buffers.visibility, counters);
+      return;
+    }
+    if (lists == nullptr) buffers.visibility.clear(rect.width, rect.height);
     if (settings.visibility == VisibilityMethod::raycast && lists == nullptr) {
       cast_visibility({scene, viewing, settings, rect, buffers.executor, sample}, progress, buffers.rays,
                       buffers.visibility, counters);
@@ -165,10 +172,6 @@ struct Frame {
     if (is_for_hierarchy()) {
       draw_hierarchically(input, is_for_kernels(), buffers.hierarchy, buffers.visibility, counters);
       return draw_lines_of_all();
-    }
-    if (is_for_kernels()) {
-      draw_in_tiles(input, buffers.tiles, buffers.visibility, counters);
-      return;
     }
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) draw_instance(i);
   }
@@ -255,13 +258,26 @@ struct PictureWork {
   }
 };
 
+/// Draws and shades what is seen first: tile by tile while they are in cache where that will do.
+void draw_first_layer(Frame frame, ShadeStage& stage) {
+  const TileSink sink = [&stage](const VisibilityBuffer& pixels, const Rect& tile, int worker) {
+    stage.shade_tile_of(pixels, tile, worker);
+  };
+  if (stage.takes_tiles() && frame.is_for_tiles()) frame.sink = &sink;
+  frame.draw_scene();
+  if (frame.sink != nullptr) {
+    stage.end_first_layer(frame.counters);
+  } else {
+    stage.shade_first_layer(frame.buffers.visibility, frame.counters);
+  }
+}
+
 /// Everything there is to do for a part of the picture.
 void render_part(const PictureWork& work, const Rect& rect, const PictureTarget& target, Counters& counters) {
   const auto& [buffers, scene, camera, viewing, settings, memory] = work;
   Frame centres{scene, settings, viewing, rect, buffers, counters};
   const bool has_samples = settings.samples > 1 && target.colour.data != nullptr;
   if (has_samples) centres.progress_to = 0.8 / (settings.samples + 1);
-  centres.draw_scene();
   ShadeInput input{scene, camera, viewing, settings, rect, buffers.executor};
   input.needs_points = target.metric_depth.data != nullptr || target.normal.data != nullptr;
   if (settings.wireframe) {
@@ -270,12 +286,15 @@ void render_part(const PictureWork& work, const Rect& rect, const PictureTarget&
   }
   Counters raster_again;  // the geometry is counted once
   std::optional<SampleStage> samples;
+  ShadeStage stage(input, target, buffers.layers, buffers.shaders);
   if (has_samples) {
+    centres.draw_scene();
     samples.emplace(input, target, buffers.samples, sample_drawing(centres, raster_again));
     samples->find_mixed_pixels(buffers.visibility);
+    stage.shade_first_layer(buffers.visibility, counters);
+  } else {
+    draw_first_layer(centres, stage);
   }
-  ShadeStage stage(input, target, buffers.layers, buffers.shaders);
-  stage.shade_first_layer(buffers.visibility, counters);
   const Rect translucent = stage.translucent_box();
   if (!translucent.is_empty() && settings.layers != 1 && !samples) {
     shade_behind({scene, settings, viewing, rect, buffers, raster_again}, translucent, memory, stage,

@@ -75,7 +75,7 @@ HWY_INLINE void fetch_vertices(const SetUpWork& work, const Chunk& chunk, const 
 
 /// The ids of the listed triangles.
 HWY_INLINE std::uint32_t primitive_of(const SetUpWork& work, std::uint32_t triangle) {
-  return work.primitives != nullptr ? work.primitives[triangle] : work.first_primitive + triangle;
+  return work.first_primitive + (work.primitives != nullptr ? work.primitives[triangle] : triangle);
 }
 
 HWY_INLINE std::uint32_t bits_of(hn::Mask<Ints> mask) {

@@ -47,16 +47,23 @@ ShadeStage::ShadeStage(const ShadeInput& input, const PictureTarget& target, Lay
     worker.points.resize(most_row_pixels);
     worker.pixel.begin(context_);
     worker.row.begin(rows_);
+    worker.shaded = 0;
+    worker.translucent_box = {};
   }
   const bool needs_layers = target.colour.data != nullptr && may_be_translucent(input.scene, input.settings);
   layers_.clear(needs_layers ? input.rect.width : 0, needs_layers ? input.rect.height : 0);
 }
 
+bool ShadeStage::takes_tiles() const {
+  return !needs_surfaces_ && input_.wireframe == nullptr && !input_.settings.shader;
+}
+
+void ShadeStage::shade_tile_of(const VisibilityBuffer& pixels, const Rect& tile, int worker) {
+  const Rect part{tile.left - input_.rect.left, tile.top - input_.rect.top, tile.width, tile.height};
+  workers_[static_cast<std::size_t>(worker)].shaded += shade_stored(pixels, 0, 0, part);
+}
+
 void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& counters) {
-  for (ShadeWorker& worker : workers_) {
-    worker.shaded = 0;
-    worker.translucent_box = {};
-  }
   if (needs_surfaces_) {
     const TileGrid grid({0, 0, buffer.width(), buffer.height()});
     for_each(static_cast<std::size_t>(grid.count()), [&](std::size_t i, ShadeWorker& worker) {
@@ -65,9 +72,13 @@ void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& cou
     });
   } else {
     for_each_band(0, buffer.height(), [&](int top, int bottom, ShadeWorker& worker) {
-      worker.shaded += shade_stored(buffer, {0, top, buffer.width(), bottom - top});
+      worker.shaded += shade_stored(buffer, 0, top, {0, top, buffer.width(), bottom - top});
     });
   }
+  end_first_layer(counters);
+}
+
+void ShadeStage::end_first_layer(Counters& counters) {
   translucent_box_ = {};
   for (const ShadeWorker& worker : workers_) {
     counters.pixels_shaded += worker.shaded;
@@ -95,14 +106,17 @@ void ShadeStage::for_each_band(int top, int bottom, const Function& function) {
   });
 }
 
-/// Writes what follows from the stored depths and ids alone. @return the number of visible pixels
-std::uint64_t ShadeStage::shade_stored(const VisibilityBuffer& buffer, const Rect& part) const {
+/// Writes what follows from the stored depths and ids alone.
+/// @param left, top  where the part begins in the buffer
+/// @return the number of visible pixels
+std::uint64_t ShadeStage::shade_stored(const VisibilityBuffer& buffer, int left, int top,
+                                       const Rect& part) const {
   PlainRows rows{};
   rows.width = part.width;
   rows.height = part.height;
-  rows.ids = buffer.primitive.row(part.top) + part.left;
+  rows.ids = buffer.primitive.row(top) + left;
   rows.ids_stride = buffer.primitive.stride();
-  rows.reversed_depth = buffer.reversed_depth.row(part.top) + part.left;
+  rows.reversed_depth = buffer.reversed_depth.row(top) + left;
   rows.reversed_depth_stride = buffer.reversed_depth.stride();
   if (target_.depth.data != nullptr) {
     rows.depth = target_.depth.row(part.top) + part.left;
@@ -114,15 +128,17 @@ std::uint64_t ShadeStage::shade_stored(const VisibilityBuffer& buffer, const Rec
     std::memcpy(rows.background, &input_.settings.background, sizeof rows.background);
   }
   if (target_.triangle_id.data != nullptr) {
-    for (int y = part.top; y < part.bottom(); ++y)
-      std::copy_n(buffer.primitive.row(y) + part.left, part.width, target_.triangle_id.row(y) + part.left);
+    for (int y = 0; y < part.height; ++y) {
+      std::copy_n(buffer.primitive.row(top + y) + left, part.width,
+                  target_.triangle_id.row(part.top + y) + part.left);
+    }
   }
-  rows.is_large = buffer.width() * buffer.height() >= large_picture;
+  rows.is_large = input_.rect.width * input_.rect.height >= large_picture;
   return shade_plain_(rows);
 }
 
 void ShadeStage::shade_tile(const VisibilityBuffer& buffer, const Rect& tile, ShadeWorker& worker) {
-  worker.shaded += shade_stored(buffer, tile);
+  worker.shaded += shade_stored(buffer, tile.left, tile.top, tile);
   for (int y = tile.top; y < tile.bottom(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
     const float* const depths = buffer.reversed_depth.row(y);

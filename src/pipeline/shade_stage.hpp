@@ -49,6 +49,17 @@ class ShadeStage {
 
   /// Runs on all threads, part by part; with a custom shader on the calling thread alone.
   void shade_first_layer(const VisibilityBuffer& buffer, Counters& counters);
+
+  /// Whether depths and ids are all that is wanted, so that pixels may come tile by tile while they are
+  /// drawn.
+  bool takes_tiles() const;
+  /// Writes a tile of the first layer; on several threads at once. @pre takes_tiles()
+  /// @param pixels  from its first on; their depths and ids
+  /// @param tile    in the picture
+  void shade_tile_of(const VisibilityBuffer& pixels, const Rect& tile, int worker);
+  /// To be called after the last tile.
+  void end_first_layer(Counters& counters);
+
   /// The smallest rectangle of picture pixels around all whose first layer is translucent; empty for none.
   Rect translucent_box() const { return translucent_box_; }
   /// Shades the further layers of the translucent pixels in a part of the picture, from its sorted lists.
@@ -61,7 +72,7 @@ class ShadeStage {
   void for_each(std::size_t count, const Function& function);
   template <typename Function>
   void for_each_band(int top, int bottom, const Function& function);
-  std::uint64_t shade_stored(const VisibilityBuffer& buffer, const Rect& part) const;
+  std::uint64_t shade_stored(const VisibilityBuffer& buffer, int left, int top, const Rect& part) const;
   void shade_tile(const VisibilityBuffer& buffer, const Rect& tile, ShadeWorker& worker);
   void shade_run(const ShadeRun& run, int left, const float* reversed_depths, ShadeWorker& worker);
   void write_stretch(int y, int left, const RowShader::Stretch& stretch, ShadeWorker& worker);

@@ -19,11 +19,6 @@ constexpr std::uint64_t round_vertices = std::uint64_t{1} << 21;
 /// Vertices transformed in one go.
 constexpr std::size_t vertex_chunk = 8192;
 
-TilePrimitives primitives_of(const TileWork& work) {
-  return {work.large,        work.large_indices.data(), work.large_indices.size(), work.small.data(),
-          work.small.size(), work.fragments.data(),     work.fragments.size()};
-}
-
 class TileStage {
  public:
   TileStage(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
@@ -32,11 +27,12 @@ class TileStage {
     buffers.workers.resize(static_cast<std::size_t>(input.executor.threads()));
     for (TileStageBuffers::Worker& worker : buffers.workers) worker.counts = {};
     buffers.used = 0;
+    buffer.reshape(input.rect.width, input.rect.height);
   }
 
   void draw() {
     for (std::uint32_t i = 0; i < input_.scene.instances().size(); ++i) add_instance(i);
-    draw_round();
+    draw_round(true);
     for (const TileStageBuffers::Worker& worker : buffers_.workers) {
       counters_.hidden_triangles += worker.counts.hidden_triangles;
       counters_.hidden_blocks += worker.counts.hidden_blocks;
@@ -53,7 +49,7 @@ class TileStage {
     const std::uint64_t primitives = mesh.triangles.size() + mesh.segments.size() + mesh.points.size();
     if (primitives == 0) return;
     const std::uint64_t vertices_then = vertices_in_round_ + mesh.positions.size();
-    if (waiting_ + primitives > round_size || vertices_then > round_vertices) draw_round();
+    if (waiting_ + primitives > round_size || vertices_then > round_vertices) draw_round(false);
     if (buffers_.used == 0) {
       instances_in_round_ = 0;
       vertices_in_round_ = 0;
@@ -78,7 +74,7 @@ class TileStage {
       batch.runs.push_back(run);
       batch.count += run.count();
       waiting_ += run.count();
-      if (waiting_ >= round_size) draw_round();
+      if (waiting_ >= round_size) draw_round(false);
     }
   }
 
@@ -118,57 +114,78 @@ class TileStage {
     }
   }
 
-  void draw_round() {
-    if (buffers_.used == 0) return;
+  /// Draws what waits in batches. The last round, which may have nothing left to draw, hands the tiles on.
+  void draw_round(bool is_last) {
+    if (buffers_.used == 0 && !is_last) return;
     const BatchInput batch_input{input_.scene, input_.settings, grid_, set_up_, input_.sample};
     input_.executor.for_each(buffers_.used, [&](std::size_t i, int worker) {
       set_up_batch(batch_input, buffers_.vertices, buffers_.batches[i], worker_of(worker).scratch);
     });
     input_.executor.for_each(static_cast<std::size_t>(grid_.count()), [&](std::size_t i, int worker) {
-      draw_tile(static_cast<int>(i), worker_of(worker));
+      finish_tile(static_cast<int>(i), worker, is_last && input_.sink != nullptr);
     });
     for (std::size_t i = 0; i < buffers_.used; ++i) counters_ += buffers_.batches[i].counters;
     drawn_ += waiting_;
     waiting_ = 0;
     buffers_.used = 0;
-    input_.progress(static_cast<double>(drawn_) / input_.scene.primitive_count());
+    buffer_is_filled_ = true;
+    const std::uint32_t primitives = input_.scene.primitive_count();
+    input_.progress(primitives == 0 ? 1.0 : static_cast<double>(drawn_) / primitives);
+  }
+
+  /// Draws a tile and puts it where it belongs.
+  void finish_tile(int index, int worker, bool to_sink) const {
+    const int left = grid_.left(index), top = grid_.top(index);
+    TileStageBuffers::Worker& own = worker_of(worker);
+    const bool is_drawn = draw_tile(index, left, top, own);
+    if (!is_drawn && (to_sink || !buffer_is_filled_)) load(left, top, own.tile);
+    if (to_sink) {
+      const Rect tile = intersect({left, top, tile_size, tile_size}, input_.rect);
+      if (own.pixels.width() == 0) own.pixels.reshape(tile_size, tile_size);
+      store_tile(own.tile, tile, left, top, own.pixels);
+      (*input_.sink)(own.pixels, tile, worker);
+    } else if (is_drawn || !buffer_is_filled_) {
+      store_tile(own.tile, input_.rect, left, top, buffer_);
+    }
   }
 
   /// Large triangles first: what they hide need not be drawn.
-  void draw_tile(int index, TileStageBuffers::Worker& worker) const {
-    const int left = grid_.left(index), top = grid_.top(index);
+  /// @return false if there is nothing to draw; then the tile is not even loaded
+  bool draw_tile(int index, int left, int top, TileStageBuffers::Worker& worker) const {
     const auto batches = std::span(buffers_.batches).first(buffers_.used);
     bool is_loaded = false;
-    for (const PrimitiveBatch& batch : batches) {
-      TilePrimitives work = primitives_of(batch.bins.of_tile(index));
-      if (work.large_count == 0) continue;
+    const auto load_once = [&] {
       if (!is_loaded) load(left, top, worker.tile);
       is_loaded = true;
+    };
+    for (const PrimitiveBatch& batch : batches) {
+      const TilePrimitives work = batch.bins.of_tile(index);
+      if (work.large_count == 0) continue;
+      load_once();
       raster_.find_occluder(work, left, top, worker.tile);
     }
     const bool has_large = is_loaded;
     for (const PrimitiveBatch& batch : batches) {
       if (!has_large) break;
-      TilePrimitives work = primitives_of(batch.bins.of_tile(index));
+      TilePrimitives work = batch.bins.of_tile(index);
       work.small_count = work.fragment_count = 0;
       if (work.large_count > 0) raster_.draw(work, left, top, worker.tile, worker.counts);
     }
     for (const PrimitiveBatch& batch : batches) {
-      TilePrimitives work = primitives_of(batch.bins.of_tile(index));
+      TilePrimitives work = batch.bins.of_tile(index);
       work.large_count = 0;
       if (work.small_count + work.fragment_count == 0) continue;
-      if (!is_loaded) load(left, top, worker.tile);
-      is_loaded = true;
+      load_once();
       raster_.draw(work, left, top, worker.tile, worker.counts);
     }
-    if (is_loaded) store_tile(worker.tile, input_.rect, left, top, buffer_);
+    return is_loaded;
   }
 
   void load(int left, int top, TileBuffer& tile) const {
-    if (drawn_ == 0) {
-      clear_tile(input_.rect, left, top, tile);
-    } else {
+    if (buffer_is_filled_) {
       load_tile(buffer_, input_.rect, left, top, tile);
+    } else {
+      clear_tile(input_.rect, left, top, tile);
     }
   }
 
@@ -188,8 +205,9 @@ class TileStage {
   const TileRaster raster_ = tile_raster(input_.settings.isa);
   std::uint32_t instances_in_round_ = 0;
   std::uint64_t vertices_in_round_ = 0;
-  std::uint64_t waiting_ = 0;  ///< primitives in batches
-  std::uint64_t drawn_ = 0;    ///< primitives of earlier rounds
+  std::uint64_t waiting_ = 0;      ///< primitives in batches
+  std::uint64_t drawn_ = 0;        ///< primitives of earlier rounds
+  bool buffer_is_filled_ = false;  ///< with what earlier rounds drew
 };
 
 }  // namespace

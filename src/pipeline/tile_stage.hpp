@@ -16,6 +16,7 @@ struct TileStageBuffers {
     BatchScratch scratch;
     TileBuffer tile;
     TileCounts counts;
+    VisibilityBuffer pixels;  ///< of the tile, row by row, for a TileSink
   };
 
   std::vector<PlacedVertices> vertices;  ///< of the instances in the round
@@ -23,6 +24,9 @@ struct TileStageBuffers {
   std::size_t used = 0;
   std::vector<Worker> workers;
 };
+
+/// Takes the pixels of a finished tile. @param tile  in the picture
+using TileSink = std::function<void(const VisibilityBuffer& pixels, const Rect& tile, int worker)>;
 
 /// What the stage needs to know of the frame.
 struct TileStageInput {
@@ -34,13 +38,16 @@ struct TileStageInput {
   /// Told the share of the scene that is drawn, 0…1, after each round, on the calling thread.
   const std::function<void(double)>& progress;
   SamplePosition sample = pixel_centre;  ///< where in the pixels visibility is decided
+  /// Where given, finished tiles go there while they are in cache, and what the buffer holds afterwards is
+  /// nobody's concern.
+  const TileSink* sink = nullptr;
 };
 
 /// The production z-buffer: rounds of primitives are transformed, set up and sorted into tiles, then each
 /// tile draws its primitives while it stays in cache (sort-middle: Molnar, Cox, Ellsworth & Fuchs 1994, "A
 /// Sorting Classification of Parallel Rendering"). Each step runs on all threads; since the smaller
 /// (depth, id) wins in any order, the buffer is rasterize_zbuffer's to the bit.
-/// @param buffer  cleared, of rect's size
+/// @param buffer  is given rect's size
 void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
                    Counters& counters);
 

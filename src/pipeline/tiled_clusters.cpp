@@ -14,11 +14,6 @@ constexpr std::size_t group_size = 8192;
 constexpr int tile_level = 6;
 static_assert(tile_size == 1 << tile_level);
 
-TilePrimitives primitives_of(const TileWork& work) {
-  return {work.large,        work.large_indices.data(), work.large_indices.size(), work.small.data(),
-          work.small.size(), work.fragments.data(),     work.fragments.size()};
-}
-
 /// Keeps those of the first `count` that are not hidden. @return how many
 template <typename Triangle>
 std::size_t seen_of(KeptArray<Triangle>& triangles, std::size_t count, const PolygonCulling& culling,
@@ -86,7 +81,7 @@ void TiledClusters::make_groups(const ClusterBatch& batch) {
 
 void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker& worker) const {
   group.counters = {};
-  ScreenPrimitives& primitives = worker.scratch.primitives;
+  ScreenPrimitives& primitives = group.primitives;
   primitives.clear();
   primitives.make_room(group.triangles);
   worker.scratch.screen_triangles.clear();
@@ -94,7 +89,7 @@ void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker
     const ClusterBatch::Entry& entry = batch.entries[i];
     const ClusterBatch::PlacedMesh& placed = batch.meshes[entry.placed];
     const std::uint32_t mesh = input_.frame.scene.instances()[placed.instance].mesh;
-    set_up_cluster(placed, input_.octrees.mesh(mesh).cluster(entry.cluster), group.counters, worker);
+    set_up_cluster(placed, input_.octrees.mesh(mesh).cluster(entry.cluster), group, worker);
   }
   for (const ScreenTriangle& triangle : worker.scratch.screen_triangles) {
     if (!append_triangle(triangle, grid_, primitives)) ++group.counters.zero_area;
@@ -103,15 +98,18 @@ void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker
   group.bins.sort(primitives, grid_);
 }
 
-SetUpWork TiledClusters::work_for(const Instance& instance, const MeshCluster& cluster,
-                                  Worker& worker) const {
+SetUpWork TiledClusters::work_for(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
+                                  Group& group, Worker& worker) const {
+  const Scene& scene = input_.frame.scene;
+  const Instance& instance = scene.instances()[placed.instance];
   const RenderSettings& settings = input_.frame.settings;
-  ScreenPrimitives& out = worker.scratch.primitives;
+  ScreenPrimitives& out = group.primitives;
   out.make_room(cluster.triangles.size());
   worker.scratch.slow.make_room(cluster.triangles.size());
   SetUpWork work{};
   work.indices = cluster.indices.data();
   work.last = static_cast<std::uint32_t>(cluster.triangles.size());
+  work.first_primitive = scene.first_primitive(placed.instance);
   work.primitives = cluster.triangles.data();
   work.positions = &cluster.positions[0].x;
   work.clip_from_object = glm::value_ptr(worker.vertices.clip_from_object);
@@ -132,7 +130,7 @@ SetUpWork TiledClusters::work_for(const Instance& instance, const MeshCluster& c
 }
 
 void TiledClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
-                                   Counters& counters, Worker& worker) const {
+                                   Group& group, Worker& worker) const {
   if (cluster.triangles.empty()) return;
   const RenderSettings& settings = input_.frame.settings;
   const std::size_t vertex_count = cluster.positions.size();
@@ -141,23 +139,14 @@ void TiledClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const
   vertices.clip_from_object = placed.clip_from_object;
   transform_({&cluster.positions[0].x, vertex_count, glm::value_ptr(vertices.clip_from_object),
               settings.width, settings.height, nullptr, nullptr, vertices.placed.data()});
-  counters.vertices += vertex_count;
-  const SetUpResult result =
-      set_up_(work_for(input_.frame.scene.instances()[placed.instance], cluster, worker), counters);
-  ScreenPrimitives& out = worker.scratch.primitives;
-  const std::uint32_t first = input_.frame.scene.first_primitive(placed.instance);
-  if (first != 0) {
-    for (std::size_t i = 0; i < result.large; ++i) out.large[out.large_count + i].primitive += first;
-    for (std::size_t i = 0; i < result.small; ++i) out.small[out.small_count + i].primitive += first;
-    for (std::size_t i = 0; i < result.fragments; ++i) {
-      out.fragments[out.fragment_count + i].primitive += first;
-    }
-  }
+  group.counters.vertices += vertex_count;
+  const SetUpResult result = set_up_(work_for(placed, cluster, group, worker), group.counters);
+  ScreenPrimitives& out = group.primitives;
   out.large_count += result.large;
   out.small_count += result.small;
   out.fragment_count += result.fragments;
   out.box = united(out.box, result.box);
-  set_up_slow(placed, cluster, result.slow, counters, worker);
+  set_up_slow(placed, cluster, result.slow, group.counters, worker);
 }
 
 void TiledClusters::set_up_slow(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
@@ -192,11 +181,10 @@ void TiledClusters::draw_tile(std::size_t index, Worker& worker) const {
   TileBuffer& buffer = buffers_.tiles[index];
   TiledClusterBuffers::TileState& state = buffers_.states[index];
   for (std::size_t i = 0; i < buffers_.used; ++i) {
-    const TileWork work = buffers_.groups[i].bins.of_tile(tile);
-    if (work.is_empty()) continue;
+    const TilePrimitives primitives = buffers_.groups[i].bins.of_tile(tile);
+    if (primitives.is_empty()) continue;
     if (state == TiledClusterBuffers::TileState::untouched) clear_tile(input_.frame.rect, left, top, buffer);
     state = TiledClusterBuffers::TileState::changed;
-    const TilePrimitives primitives = primitives_of(work);
     if (primitives.large_count > 0) raster_.find_occluder(primitives, left, top, buffer);
     raster_.draw(primitives, left, top, buffer, worker.counts);
   }

@@ -86,27 +86,22 @@ void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
 // While primitives come in, first_[tile + 1] moves from the tile's beginning to its end.
 
 void TileBins::place_large(const ScreenPrimitives& primitives, const TileGrid& grid) {
-  large_count_ = static_cast<std::uint32_t>(primitives.large_count);
-  RasterTriangle* const large = large_.make_room(primitives.large_count);
-  std::copy_n(primitives.large.data(), primitives.large_count, large);
+  const auto count = static_cast<std::uint32_t>(primitives.large_count);
   First* const next = first_.data() + 1 - first_tile_;
-  if (!large_are_sorted_) {
-    std::uint32_t* const all = large_indices_.make_room(large_count_);
-    std::iota(all, all + large_count_, 0u);
-    return;
-  }
-  std::uint32_t* const indices = large_indices_.make_room(next[end_tile_].large);
-  for (std::uint32_t i = 0; i < large_count_; ++i) {
-    for_each_tile(tiles_of(large[i], grid), grid, [&](int tile) { indices[next[tile].large++] = i; });
+  std::uint32_t* const large = large_.make_room(large_are_sorted_ ? next[end_tile_].large : count);
+  if (!large_are_sorted_) return std::iota(large, large + count, 0u);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for_each_tile(tiles_of(primitives.large[i], grid), grid,
+                  [&](int tile) { large[next[tile].large++] = i; });
   }
 }
 
 void TileBins::place_small(const ScreenPrimitives& primitives, const TileGrid& grid) {
   First* const next = first_.data() + 1 - first_tile_;
-  SmallTriangle* const small = small_.make_room(next[end_tile_].small);
-  for (std::size_t i = 0; i < primitives.small_count; ++i) {
-    const SmallTriangle& triangle = primitives.small[i];
-    for_each_tile(tiles_of(triangle, grid), grid, [&](int tile) { small[next[tile].small++] = triangle; });
+  std::uint32_t* const small = small_.make_room(next[end_tile_].small);
+  for (std::uint32_t i = 0; i < primitives.small_count; ++i) {
+    for_each_tile(tiles_of(primitives.small[i], grid), grid,
+                  [&](int tile) { small[next[tile].small++] = i; });
   }
 }
 
@@ -120,6 +115,7 @@ void TileBins::place_fragments(const ScreenPrimitives& primitives) {
 }
 
 void TileBins::sort(const ScreenPrimitives& primitives, const TileGrid& grid) {
+  primitives_ = &primitives;
   count(primitives, grid);
   if (end_tile_ == first_tile_) return;
   place_large(primitives, grid);
@@ -127,17 +123,19 @@ void TileBins::sort(const ScreenPrimitives& primitives, const TileGrid& grid) {
   place_fragments(primitives);
 }
 
-TileWork TileBins::of_tile(int tile) const {
+TilePrimitives TileBins::of_tile(int tile) const {
   if (tile < first_tile_ || tile >= end_tile_) return {};
   const First& first = first_[static_cast<std::size_t>(tile - first_tile_)];
   const First& end = first_[static_cast<std::size_t>(tile - first_tile_) + 1];
-  TileWork work{};
-  work.large = large_.data();
-  work.large_indices = large_are_sorted_
-                           ? std::span(large_indices_.data() + first.large, end.large - first.large)
-                           : std::span(large_indices_.data(), large_count_);
-  work.small = {small_.data() + first.small, end.small - first.small};
-  work.fragments = {fragments_.data() + first.fragment, end.fragment - first.fragment};
+  TilePrimitives work{};
+  work.large = primitives_->large.data();
+  work.large_indices = large_.data() + (large_are_sorted_ ? first.large : 0);
+  work.large_count = large_are_sorted_ ? end.large - first.large : primitives_->large_count;
+  work.small = primitives_->small.data();
+  work.small_indices = small_.data() + first.small;
+  work.small_count = end.small - first.small;
+  work.fragments = fragments_.data() + first.fragment;
+  work.fragment_count = end.fragment - first.fragment;
   return work;
 }
 

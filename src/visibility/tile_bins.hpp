@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "screen_primitives.hpp"
 #include "tile_grid.hpp"
+#include "tile_raster.hpp"
 
 namespace velum {
 
@@ -12,24 +12,15 @@ namespace velum {
 /// over hundreds of tiles) every tile gets all of them and its raster leaves out those that do not meet it.
 inline constexpr std::uint64_t most_tile_entries = std::uint64_t{1} << 18;
 
-/// What is drawn into one tile.
-struct TileWork {
-  const RasterTriangle* large;  ///< those that `large_indices` tell of
-  std::span<const std::uint32_t> large_indices;
-  std::span<const SmallTriangle> small;
-  std::span<const RasterFragment> fragments;
-
-  bool is_empty() const { return large_indices.empty() && small.empty() && fragments.empty(); }
-};
-
 /// Screen primitives sorted by the tiles they meet; the memory is kept from use to use.
 class TileBins {
  public:
   /// Sorts by counting, so that each tile has its primitives in their order.
+  /// @param primitives  must outlive every further call
   void sort(const ScreenPrimitives& primitives, const TileGrid& grid);
 
   /// The primitives that meet the tile. For the large ones: those, or all.
-  TileWork of_tile(int tile) const;
+  TilePrimitives of_tile(int tile) const;
 
  private:
   /// Where a tile's primitives begin.
@@ -42,15 +33,15 @@ class TileBins {
   void place_small(const ScreenPrimitives& primitives, const TileGrid& grid);
   void place_fragments(const ScreenPrimitives& primitives);
 
+  const ScreenPrimitives* primitives_ = nullptr;
   int first_tile_ = 0;  ///< tiles first_tile_ … end_tile_-1 may have something
   int end_tile_ = 0;
   bool large_are_sorted_ = true;
-  std::uint32_t large_count_ = 0;
+  // All of these tile after tile.
   KeptArray<First> first_;  ///< of each of these tiles, and one more at the end
-  KeptArray<RasterTriangle> large_;
-  KeptArray<std::uint32_t> large_indices_;  ///< tile after tile
-  KeptArray<SmallTriangle> small_;          ///< tile after tile; repeated for every tile
-  KeptArray<RasterFragment> fragments_;     ///< tile after tile
+  KeptArray<std::uint32_t> large_;
+  KeptArray<std::uint32_t> small_;
+  KeptArray<RasterFragment> fragments_;
 };
 
 }  // namespace velum

@@ -16,15 +16,18 @@ struct TileCounts {
   std::uint64_t drawn_blocks = 0;      ///< blocks of larger triangles that were looked at pixel by pixel
 };
 
-/// Some of what meets a tile; see TileWork.
+/// What meets a tile. Triangles stand anywhere, the indices tell which.
 struct TilePrimitives {
   const RasterTriangle* large;
   const std::uint32_t* large_indices;
   std::size_t large_count;
   const SmallTriangle* small;
+  const std::uint32_t* small_indices;
   std::size_t small_count;
   const RasterFragment* fragments;
   std::size_t fragment_count;
+
+  bool is_empty() const { return large_count + small_count + fragment_count == 0; }
 };
 
 /// The kernels of the tile raster. Coverage comes from integer edge functions (Pineda 1988), as many pixels

@@ -84,12 +84,25 @@ void clear_tile(const Rect& target, int left, int top, TileBuffer& tile) {
   find_farthest(tile);
 }
 
+namespace {
+
+void store_run(const TileBuffer& tile, int place, int count, float* depth, std::uint32_t* id) {
+  for (int i = 0; i < count; ++i) depth[i] = std::bit_cast<float>(tile.depth[place + i]);
+  for (int i = 0; i < count; ++i) id[i] = static_cast<std::uint32_t>(tile.primitive[place + i]) ^ order_bit;
+}
+
+}  // namespace
+
 void store_tile(const TileBuffer& tile, const Rect& target, int left, int top, VisibilityBuffer& buffer) {
   for_each_run(tile.width, tile.height, [&](int place, int x, int y, int count) {
     float* depth = buffer.reversed_depth.row(top - target.top + y) + (left - target.left) + x;
     std::uint32_t* id = buffer.primitive.row(top - target.top + y) + (left - target.left) + x;
-    for (int i = 0; i < count; ++i) depth[i] = std::bit_cast<float>(tile.depth[place + i]);
-    for (int i = 0; i < count; ++i) id[i] = static_cast<std::uint32_t>(tile.primitive[place + i]) ^ order_bit;
+    // A constant length is what compilers make vectors of.
+    if (count == block_size) {
+      store_run(tile, place, block_size, depth, id);
+    } else {
+      store_run(tile, place, count, depth, id);
+    }
   });
 }
 

@@ -17,11 +17,6 @@ namespace {
 
 using Soup = std::vector<ScreenTriangle>;
 
-TilePrimitives primitives_of(const TileWork& work) {
-  return {work.large,        work.large_indices.data(), work.large_indices.size(), work.small.data(),
-          work.small.size(), work.fragments.data(),     work.fragments.size()};
-}
-
 ScreenPrimitives primitives_of(std::span<const ScreenTriangle> soup, const TileGrid& grid) {
   ScreenPrimitives primitives;
   primitives.make_room(soup.size());
@@ -38,9 +33,10 @@ VisibilityBuffer by_tiles(const Soup& soup, const Rect& rect, Isa isa, TileCount
   const std::size_t half = soup.size() / 2;
   for (const auto& part : {std::span(soup).first(half), std::span(soup).subspan(half)}) {
     TileBins bins;
-    bins.sort(primitives_of(part, grid), grid);
+    const ScreenPrimitives primitives = primitives_of(part, grid);
+    bins.sort(primitives, grid);
     for (int i = 0; i < grid.count(); ++i) {
-      const TilePrimitives work = primitives_of(bins.of_tile(i));
+      const TilePrimitives work = bins.of_tile(i);
       load_tile(buffer, rect, grid.left(i), grid.top(i), *tile);
       raster.find_occluder(work, grid.left(i), grid.top(i), *tile);
       raster.draw(work, grid.left(i), grid.top(i), *tile, counts);
@@ -192,9 +188,10 @@ TEST_CASE("Too many entries are not sorted: every tile gets every triangle, and 
   const Rect whole{0, 0, 32768, 32768};
   const TileGrid grid(whole);
   TileBins bins;
-  bins.sort(primitives_of(soup, grid), grid);
-  CHECK(bins.of_tile(0).large_indices.size() == 20);
-  CHECK(bins.of_tile(grid.count() - 1).large_indices.size() == 20);
+  const ScreenPrimitives primitives = primitives_of(soup, grid);
+  bins.sort(primitives, grid);
+  CHECK(bins.of_tile(0).large_count == 20);
+  CHECK(bins.of_tile(grid.count() - 1).large_count == 20);
 
   // A tile on the slanting edge, drawn from all of them.
   const int left = 16384, top = 16384 - 64;
@@ -204,7 +201,7 @@ TEST_CASE("Too many entries are not sorted: every tile gets every triangle, and 
   const auto tile = std::make_unique<TileBuffer>();
   TileCounts counts;
   clear_tile(part, left, top, *tile);
-  tile_raster(Isa::best).draw(primitives_of(bins.of_tile(0)), left, top, *tile, counts);
+  tile_raster(Isa::best).draw(bins.of_tile(0), left, top, *tile, counts);
   store_tile(*tile, part, left, top, actual);
   CHECK(differences(actual, expected) == 0);
 }
