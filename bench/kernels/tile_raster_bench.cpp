@@ -22,11 +22,6 @@ void by_reference(benchmark::State& state, const Subject& subject) {
   }
 }
 
-TilePrimitives primitives_of(const TileWork& work) {
-  return {work.large,        work.large_indices.data(), work.large_indices.size(), work.small.data(),
-          work.small.size(), work.fragments.data(),     work.fragments.size()};
-}
-
 /// Every tile cleared and drawn; sorting into tiles and storing them are left out.
 void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
   const Rect rect = subject.rect();
@@ -42,7 +37,7 @@ void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
   TileCounts counts;
   for (auto _ : state) {
     for (int i = 0; i < grid.count(); ++i) {
-      const TilePrimitives work = primitives_of(bins.of_tile(i));
+      const TilePrimitives work = bins.of_tile(i);
       clear_tile(rect, grid.left(i), grid.top(i), *tile);
       raster.find_occluder(work, grid.left(i), grid.top(i), *tile);
       raster.draw(work, grid.left(i), grid.top(i), *tile, counts);
