@@ -36,3 +36,24 @@ TEST_CASE("velum views names its picture after the input and refuses what it can
   CHECK(place.velum("views builtin:house -o nofolder/sheet.png").code == 4);
   CHECK(place.files() == std::vector<std::string>{"house-views.png"});
 }
+
+TEST_CASE("velum pyramid draws every level in the picture's size, and a sheet") {
+  const Workplace place;
+  CHECK(place.velum("pyramid builtin:house -o levels --size 64x48").code == 0);
+  for (const char* name : {"levels/level-00.png", "levels/level-03.png", "levels/level-06.png"}) {
+    const velum::Image<velum::Rgba8> level = velum::read_png(place.path(name));
+    CHECK((level.width() == 64 && level.height() == 48));
+  }
+  const velum::Image<velum::Rgba8> coarse = velum::read_png(place.path("levels/level-03.png"));
+  for (int i = 1; i < 8; ++i) CHECK(coarse.at(24 + i, 24) == coarse.at(24, 24));  // one cell
+  CHECK(place.has("levels/sheet.png"));
+  CHECK(place.velum("pyramid builtin:house --size 64x48").code == 2);
+}
+
+TEST_CASE("velum render --show octree draws the nodes instead of the picture") {
+  const Workplace place;
+  CHECK(place.velum("render builtin:sphere --size 160x120 -o picture.png").code == 0);
+  CHECK(place.velum("render builtin:sphere --size 160x120 --show octree -o octree.png").code == 0);
+  CHECK(place.read("picture.png") != place.read("octree.png"));
+  CHECK(place.velum("render builtin:sphere --show nothing").code == 2);
+}
