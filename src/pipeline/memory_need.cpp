@@ -6,6 +6,7 @@
 #include "../base/error.hpp"
 #include "../base/machine.hpp"
 #include "../visibility/tile_buffer.hpp"
+#include "../visibility/tile_grid.hpp"
 #include "picture.hpp"
 #include "sample_stage.hpp"
 #include "shade_stage.hpp"
@@ -77,10 +78,18 @@ int sample_band_height(const Scene& scene, const RenderSettings& settings, const
 
 namespace {
 
+/// All tiles at once, and the z-pyramid above the z-buffer.
+std::uint64_t bytes_of_hierarchy(const RenderSettings& settings, const Rect& rect) {
+  if (settings.visibility != VisibilityMethod::hierarchical) return 0;
+  const auto tiles = static_cast<std::uint64_t>(TileGrid(rect).count());
+  return tiles * (sizeof(TileBuffer) + tile_pixels * sizeof(float) / 2);
+}
+
 std::uint64_t bytes_of_bands(const Scene& scene, const RenderSettings& settings, const Rect& whole) {
   const Rect rect{whole.left, whole.top, whole.width, sample_band_height(scene, settings, whole)};
   const std::uint64_t one_visibility = bytes_of_images<float, std::uint32_t>(rect);
-  const std::uint64_t visibility = settings.wireframe ? 2 * one_visibility : one_visibility;
+  const std::uint64_t visibility =
+      (settings.wireframe ? 2 * one_visibility : one_visibility) + bytes_of_hierarchy(settings, rect);
   const auto pixels = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
   const std::uint64_t seen = visibility + pixels * sample_bytes_per_pixel(scene, settings);
   if (!may_be_translucent(scene, settings)) return seen;
