@@ -13,7 +13,7 @@ enum class Isa {
   sse4,
   avx2,
   avx512,
-  neon,
+  neon,  ///< written for, not tried
 };
 
 /// Whether this build has kernels for the instruction set and this machine can run them.
