@@ -11,6 +11,7 @@
 #include "sample_stage.hpp"
 #include "shade_stage.hpp"
 #include "supersample_stage.hpp"
+#include "tile_stage.hpp"
 
 namespace velum {
 namespace {
@@ -88,8 +89,10 @@ std::uint64_t bytes_of_hierarchy(const RenderSettings& settings, const Rect& rec
 std::uint64_t bytes_of_bands(const Scene& scene, const RenderSettings& settings, const Rect& whole) {
   const Rect rect{whole.left, whole.top, whole.width, sample_band_height(scene, settings, whole)};
   const std::uint64_t one_visibility = bytes_of_images<float, std::uint32_t>(rect);
-  const std::uint64_t visibility =
-      (settings.wireframe ? 2 * one_visibility : one_visibility) + bytes_of_hierarchy(settings, rect);
+  const bool has_tiles = settings.visibility == VisibilityMethod::zbuffer && settings.isa != Isa::reference;
+  const std::uint64_t visibility = (settings.wireframe ? 2 * one_visibility : one_visibility) +
+                                   bytes_of_hierarchy(settings, rect) +
+                                   (has_tiles ? tile_stage_bytes(scene) : 0);
   const auto pixels = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
   const std::uint64_t seen = visibility + pixels * sample_bytes_per_pixel(scene, settings);
   if (!may_be_translucent(scene, settings)) return seen;

@@ -18,8 +18,9 @@ std::uint64_t picture_bytes(const Rect& rect);
 int sample_band_height(const Scene& scene, const RenderSettings& settings, const Rect& rect);
 
 /// Bytes of the buffers that a frame works in, of a band of it under samples: the visibility buffer, a second
-/// one for a wireframe, and, where something may be translucent, what the pixels gather. Lists of fragments
-/// come on top, as many as the ceiling leaves room for.
+/// one for a wireframe, what waits for the tiles of the vector z-buffer, and, where something may be
+/// translucent, what the pixels gather. Lists of fragments come on top, as many as the ceiling leaves room
+/// for.
 std::uint64_t buffer_bytes(const Scene& scene, const RenderSettings& settings, const Rect& rect);
 
 /// The bytes that the settings' ceiling (0: half of the machine's memory; what writing files takes is less

@@ -212,6 +212,17 @@ class TileStage {
 
 }  // namespace
 
+std::uint64_t tile_stage_bytes(const Scene& scene) {
+  std::uint64_t all = 0, most = round_vertices;
+  for (const Instance& instance : scene.instances()) {
+    const std::uint64_t vertices = scene.meshes()[instance.mesh].positions.size();
+    all += vertices;
+    most = std::max(most, vertices);  // a mesh of more is a round's by itself
+  }
+  return std::min(all, most) * sizeof(PlacedVertex) +
+         std::min<std::uint64_t>(scene.primitive_count(), round_size) * sizeof(RasterTriangle);
+}
+
 void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
                    Counters& counters) {
   TileStage(input, buffers, buffer, counters).draw();

@@ -43,6 +43,10 @@ struct TileStageInput {
   const TileSink* sink = nullptr;
 };
 
+/// Bytes that a round of the stage takes, as a rule: the vertices of its instances, and its primitives sorted
+/// into tiles. What each worker has, and what is told of large triangles tile by tile, comes on top.
+std::uint64_t tile_stage_bytes(const Scene& scene);
+
 /// The production z-buffer: rounds of primitives are transformed, set up and sorted into tiles, then each
 /// tile draws its primitives while it stays in cache (sort-middle: Molnar, Cox, Ellsworth & Fuchs 1994, "A
 /// Sorting Classification of Parallel Rendering"). Each step runs on all threads; since the smaller

@@ -250,6 +250,7 @@ TEST_CASE("the memory ceiling counts padded rows, and what translucent pixels ga
   Scene scene = solids();
   const Camera camera = view_of(scene, 1.0 / 64);
   RenderSettings settings = size(1, 64);
+  settings.isa = Isa::reference;  // no tiles
   const auto fits = [&](std::uint64_t bytes) {
     settings.memory_ceiling = bytes;
     try {
@@ -265,6 +266,14 @@ TEST_CASE("the memory ceiling counts padded rows, and what translucent pixels ga
   constexpr std::uint64_t opaque = 64 * (7 * 64 + 16 * 12);
   CHECK(fits(opaque));
   CHECK_FALSE(fits(opaque - 1));
+  settings.isa = Isa::best;
+  std::uint64_t tiles = 64 * std::uint64_t{scene.primitive_count()};
+  for (const Instance& instance : scene.instances()) {
+    tiles += 8 * scene.meshes()[instance.mesh].positions.size();
+  }
+  CHECK(fits(opaque + tiles));
+  CHECK_FALSE(fits(opaque + tiles - 1));
+  settings.isa = Isa::reference;
   Material glass;
   glass.alpha = 0.5f;
   const std::uint32_t material = scene.add_material(glass);
