@@ -149,14 +149,14 @@ class Space {
 
 Image<Rgba8> draw_spaces(const Subject& subject) {
   constexpr int columns = 3;
-  const std::vector<Stage>& stages = subject.viewing.stages();
+  const StageList& stages = subject.viewing.stages();
   const int panels = static_cast<int>(stages.size()) + 1;
   const int rows = (panels + columns - 1) / columns;
   Image<Rgba8> sheet(columns * panel_width, rows * panel_height, paper);
   for (int i = 0; i < panels; ++i) {
     const auto stage = static_cast<std::size_t>(i);
     const Image<Rgba8> panel =
-        Space(subject, stage).draw(i == 0 ? "world" : "after " + stages[stage - 1].name);
+        Space(subject, stage).draw(i == 0 ? "world" : "after " + std::string(stages[stage - 1].name));
     for (int y = 0; y < panel_height; ++y) {
       std::copy_n(panel.row(y), panel_width,
                   sheet.row(i / columns * panel_height + y) + i % columns * panel_width);

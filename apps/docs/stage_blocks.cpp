@@ -32,8 +32,8 @@ std::string stages_block(const Subject& subject) {
   std::string text;
   int number = 0;
   for (const Stage& stage : subject.viewing.stages()) {
-    text += std::to_string(++number) + ". " + stage.name + ": " + stage.meaning + "\n" +
-            velum_app::long_matrix_text(stage.matrix);
+    text += std::to_string(++number) + ". " + std::string(stage.name) + ": " + std::string(stage.meaning) +
+            "\n" + velum_app::long_matrix_text(stage.matrix);
   }
   return fenced(text);
 }
@@ -46,10 +46,10 @@ std::string vertices_block(const Subject& subject) {
   };
   row("object", [](const VertexTrace& t) { return tuple({t.object.x, t.object.y, t.object.z}); });
   row("world", [](const VertexTrace& t) { return tuple(t.images[0]); });
-  const std::vector<Stage>& stages = subject.viewing.stages();
+  const StageList& stages = subject.viewing.stages();
   for (std::size_t s = 0; s < stages.size(); ++s) {
     const bool is_camera = stages[s].name == "M_rot^T";
-    row("after `" + stages[s].name + "`" +
+    row("after `" + std::string(stages[s].name) + "`" +
             (is_camera                ? ": camera"
              : s + 1 == stages.size() ? ": clip"
                                       : ""),

@@ -37,7 +37,8 @@ std::string escaped(std::string_view text) {
 }
 
 std::string stage_html(const velum::Stage& stage) {
-  std::string html = "<li><b>" + escaped(stage.name) + "</b> " + escaped(stage.meaning) + "<table>";
+  std::string html = "<li><b>" + escaped(std::string(stage.name)) + "</b> " +
+                     escaped(std::string(stage.meaning)) + "<table>";
   for (int row = 0; row < 4; ++row) {
     html += "<tr>";
     for (int column = 0; column < 4; ++column) {

@@ -13,7 +13,7 @@ namespace velum_gallery {
 struct Shot {
   std::string file;     ///< relative to the page
   std::string caption;  ///< what is seen
-  std::vector<velum::Stage> stages;
+  velum::StageList stages;
   double coverage = 0.0;
 };
 

@@ -40,7 +40,7 @@ class Writer {
 
   /// The lecture's camera space is where the world stands once it is moved and turned.
   static std::string image_name(const Stage& stage) {
-    return "after " + stage.name + (stage.name == "M_rot^T" ? ", camera" : "");
+    return "after " + std::string(stage.name) + (stage.name == "M_rot^T" ? ", camera" : "");
   }
 
   void write_stages() {
@@ -51,8 +51,8 @@ class Writer {
     heading("The stages from world to clip space, in the order of application");
     int number = 0;
     for (const Stage& stage : viewing_.stages()) {
-      text_ += "    " + std::to_string(++number) + ". " + stage.name + ": " + stage.meaning + "\n" +
-               long_matrix_text(stage.matrix);
+      text_ += "    " + std::to_string(++number) + ". " + std::string(stage.name) + ": " +
+               std::string(stage.meaning) + "\n" + long_matrix_text(stage.matrix);
     }
   }
 

@@ -46,10 +46,12 @@ Json json_of(const glm::dmat4& matrix) {
   return rows;
 }
 
-Json json_of(const std::vector<Stage>& stages) {
+Json json_of(const StageList& stages) {
   Json list = Json::array();
   for (const Stage& stage : stages) {
-    list.push_back({{"name", stage.name}, {"meaning", stage.meaning}, {"matrix", json_of(stage.matrix)}});
+    list.push_back({{"name", std::string(stage.name)},
+                    {"meaning", std::string(stage.meaning)},
+                    {"matrix", json_of(stage.matrix)}});
   }
   return list;
 }

@@ -16,7 +16,7 @@ Json json_of(const glm::dvec4& vector);
 /// [[row 0], [row 1], [row 2], [row 3]]
 Json json_of(const glm::dmat4& matrix);
 /// [{"name", "meaning", "matrix"}, …] in the order of application
-Json json_of(const std::vector<velum::Stage>& stages);
+Json json_of(const velum::StageList& stages);
 /// Where the camera stands and what it sees.
 Json json_of(const velum::Camera& camera);
 

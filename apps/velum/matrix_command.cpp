@@ -87,16 +87,16 @@ Json path_json(const PointPath& path) {
 }
 
 void print_path(const PointPath& path, const ViewingTransform& transform) {
-  const std::vector<Stage>& stages = transform.stages();
+  const StageList& stages = transform.stages();
   std::size_t width = 16;
-  for (const Stage& stage : stages) width = std::max(width, text_width(stage.name) + 6);
+  for (const Stage& stage : stages) width = std::max(width, text_width(std::string(stage.name)) + 6);
   std::cout << "\nThe way of the point\n";
   const auto line = [width](const std::string& name, const std::string& value) {
     std::cout << "  " << padded_right(name, width) << "  " << value << '\n';
   };
   line("world", vector_text(path.images[0]));
   for (std::size_t i = 0; i < stages.size(); ++i)
-    line("after " + stages[i].name, vector_text(path.images[i + 1]));
+    line("after " + std::string(stages[i].name), vector_text(path.images[i + 1]));
   if (path.is_in_front_of_eye()) {
     line("after the divide", vector_text(path.ndc));
     line("pixel", "(" + fixed_text(path.pixel.x, 3) + ", " + fixed_text(path.pixel.y, 3) + ")");

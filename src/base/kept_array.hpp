@@ -21,6 +21,8 @@ class KeptArray {
     }
     return elements_.get();
   }
+  /// For how many elements there is room.
+  std::size_t room() const { return room_; }
   T* data() { return elements_.get(); }
   const T* data() const { return elements_.get(); }
   T& operator[](std::size_t i) { return elements_[i]; }

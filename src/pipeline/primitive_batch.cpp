@@ -107,6 +107,11 @@ struct RunSetUp {
 
 }  // namespace
 
+void BatchScratch::make_room_like(const BatchScratch& other) {
+  slow.make_room(other.slow.room());
+  screen_triangles.reserve(other.screen_triangles.capacity());
+}
+
 void set_culling(SetUpWork& work, Cull cull, bool mirrored) {
   work.is_back_positive = mirrored;
   const bool culls_back = cull == Cull::back;

@@ -56,6 +56,9 @@ struct BatchInput {
 struct BatchScratch {
   KeptArray<std::uint32_t> slow;  ///< triangles that take the plain path
   std::vector<ScreenTriangle> screen_triangles;
+
+  /// Makes as much room as the other has. @pre between two batches: what is in the arrays may get lost
+  void make_room_like(const BatchScratch& other);
 };
 
 /// Fills the batch's bins and counters.

@@ -46,7 +46,7 @@ void shade_behind(Frame frame, const Rect& wanted, std::uint64_t memory, ShadeSt
   frame.progress_from = frame.progress_to;
   frame.progress_to = 0.82;
   frame.draw_scene();
-  const std::vector<Rect> parts = lists.parts(most_fragments(frame.scene, memory));
+  const std::vector<Rect>& parts = lists.parts(most_fragments(frame.scene, memory));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     lists.begin_storing(parts[i]);
     frame.rect = parts[i];

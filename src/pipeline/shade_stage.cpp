@@ -264,10 +264,14 @@ void ShadeStage::shade_behind(const FragmentLists& lists, const Rect& part, Coun
     }
     worker.layers = std::max(worker.layers, layers);
   });
+  // Which worker takes which band is left to chance: all get the room that one needed, for the next frame.
+  std::size_t room = 0;
   for (const ShadeWorker& worker : workers_) {
     counters.pixels_shaded += worker.shaded;
     counters.layers = std::max(counters.layers, worker.layers);
+    room = std::max(room, worker.open.capacity());
   }
+  for (ShadeWorker& worker : workers_) worker.open.reserve(room);
 }
 
 /// @param band  picture pixels

@@ -33,6 +33,7 @@ class TileStage {
   void draw() {
     for (std::uint32_t i = 0; i < input_.scene.instances().size(); ++i) add_instance(i);
     draw_round(true);
+    even_out_memory();
     for (const TileStageBuffers::Worker& worker : buffers_.workers) {
       counters_.hidden_triangles += worker.counts.hidden_triangles;
       counters_.hidden_blocks += worker.counts.hidden_blocks;
@@ -41,6 +42,18 @@ class TileStage {
   }
 
  private:
+  /// Which worker takes which batch is left to chance: each gets the memory of all others, so that the next
+  /// frame finds enough.
+  void even_out_memory() {
+    TileStageBuffers::Worker& all = buffers_.workers.front();
+    for (const TileStageBuffers::Worker& worker : buffers_.workers)
+      all.scratch.make_room_like(worker.scratch);
+    for (TileStageBuffers::Worker& worker : buffers_.workers) {
+      worker.scratch.make_room_like(all.scratch);
+      if (input_.sink != nullptr && worker.pixels.width() == 0) worker.pixels.reshape(tile_size, tile_size);
+    }
+  }
+
   /// Puts an instance's primitives into batches; a full round is drawn.
   void add_instance(std::uint32_t instance) {
     const Mesh& mesh = input_.scene.meshes()[input_.scene.instances()[instance].mesh];

@@ -99,9 +99,8 @@ glm::dvec2 half_slope_of(const Opening& opening, double aspect) {
 }
 
 // D · S_xyz(1/far) · S_xy · [Sh_lens] · M_rotᵀ · T(-COP); `centre` is the slope of the window's middle.
-std::vector<Stage> perspective_stages(const Camera& camera, const glm::dvec2& half_slope,
-                                      const glm::dvec2& centre) {
-  std::vector<Stage> stages{to_eye_point(camera.pose()), to_camera_axes(camera.pose())};
+StageList perspective_stages(const Camera& camera, const glm::dvec2& half_slope, const glm::dvec2& centre) {
+  StageList stages{to_eye_point(camera.pose()), to_camera_axes(camera.pose())};
   if (centre != glm::dvec2(0.0)) stages.push_back(lens_shear(centre));
   stages.push_back(to_right_angle(half_slope));
   stages.push_back(to_unit_depth(camera.far()));
@@ -109,20 +108,20 @@ std::vector<Stage> perspective_stages(const Camera& camera, const glm::dvec2& ha
   return stages;
 }
 
-std::vector<Stage> stages_of(const Camera& camera, const PerspectiveLens& lens, double aspect) {
+StageList stages_of(const Camera& camera, const PerspectiveLens& lens, double aspect) {
   const glm::dvec2 half_slope = half_slope_of(lens.opening, aspect);
   return perspective_stages(camera, half_slope, 2.0 * lens.shift * half_slope);
 }
 
-std::vector<Stage> stages_of(const Camera& camera, const OffAxisFrustum& f, double) {
+StageList stages_of(const Camera& camera, const OffAxisFrustum& f, double) {
   const double twice_near = 2.0 * camera.near();
   return perspective_stages(camera, {(f.right - f.left) / twice_near, (f.top - f.bottom) / twice_near},
                             {(f.right + f.left) / twice_near, (f.top + f.bottom) / twice_near});
 }
 
 // S(1,1,-1) · S(2/w,2/h,1/(far-near)) · T(0,0,near) · [Sh_oblique] · M_rotᵀ · T(-COP)
-std::vector<Stage> stages_of(const Camera& camera, const ParallelWindow& window, double aspect) {
-  std::vector<Stage> stages{to_eye_point(camera.pose()), to_camera_axes(camera.pose())};
+StageList stages_of(const Camera& camera, const ParallelWindow& window, double aspect) {
+  StageList stages{to_eye_point(camera.pose()), to_camera_axes(camera.pose())};
   if (window.shear != glm::dvec2(0.0)) stages.push_back(oblique_shear(window));
   stages.push_back(near_to_zero(camera.near()));
   stages.push_back(window_to_unit(window.height * aspect, window.height, camera.far() - camera.near()));
@@ -131,8 +130,8 @@ std::vector<Stage> stages_of(const Camera& camera, const ParallelWindow& window,
 }
 
 // The embedder's own matrix, then what takes its clip space to ours.
-std::vector<Stage> stages_of(const Camera&, const ClipMatrix& matrix, double) {
-  std::vector<Stage> stages{
+StageList stages_of(const Camera&, const ClipMatrix& matrix, double) {
+  StageList stages{
       {"clip matrix", "The caller's own matrix, from world to its clip space.", matrix.clip_from_world}};
   if (matrix.range == DepthRange::minus_one_to_one) {
     stages.push_back({"depth range", "Takes depth from -1 ... 1 to 0 ... 1.",
@@ -161,7 +160,7 @@ void check_stage(const Stage& stage, const Camera& camera) {
   const double determinant = glm::determinant(stage.matrix);
   if (is_regular(stage.matrix) && determinant != 0.0 && std::isfinite(determinant)) return;
   throw Error(ErrorKind::usage,
-              "numbers so large, small or different make the stage " + stage.name +
+              "numbers so large, small or different make the stage " + std::string(stage.name) +
                   " of the viewing matrix singular (near " + text_of(camera.near()) + ", far " +
                   text_of(camera.far()) + ")",
               "camera", "keep near, far, opening angle, and the camera's distance to a usual size");
@@ -172,10 +171,10 @@ void check_stage(const Stage& stage, const Camera& camera) {
 ViewingTransform Camera::viewing_transform(double picture_aspect, double tolerance) const {
   const FloatingPointScope floating_point;
   check_picture_aspect(picture_aspect, aspect_, tolerance);
-  std::vector<Stage> stages =
+  StageList stages =
       std::visit([&](const auto& lens) { return stages_of(*this, lens, picture_aspect); }, lens_);
   for (const Stage& stage : stages) check_stage(stage, *this);
-  return ViewingTransform(std::move(stages));
+  return ViewingTransform(stages);
 }
 
 }  // namespace velum

@@ -1,14 +1,18 @@
 #include "viewing_transform.hpp"
 
 #include <cmath>
-#include <utility>
+#include <string>
 
+#include "../base/contract.hpp"
 #include "../base/error.hpp"
 #include "../base/floating_point.hpp"
 
 namespace velum {
 
-ViewingTransform::ViewingTransform(std::vector<Stage> stages) : stages_(std::move(stages)) {}
+void StageList::push_back(const Stage& stage) {
+  VELUM_REQUIRE(size_ < capacity, {"size", size_});
+  stages_[size_++] = stage;
+}
 
 glm::dmat4 ViewingTransform::clip_from_object(const glm::dmat4& world_from_object) const {
   const FloatingPointScope floating_point;
@@ -24,7 +28,8 @@ glm::dmat4 ViewingTransform::world_from_clip() const {
   for (const Stage& stage : stages_) {
     const double determinant = glm::determinant(stage.matrix);
     if (determinant == 0.0 || !std::isfinite(determinant)) {
-      throw Error(ErrorKind::usage, "the stage \"" + stage.name + "\" is singular, so it has no inverse",
+      throw Error(ErrorKind::usage,
+                  "the stage \"" + std::string(stage.name) + "\" is singular, so it has no inverse",
                   "viewing transform");
     }
     product = product * glm::inverse(stage.matrix);

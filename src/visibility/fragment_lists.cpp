@@ -32,8 +32,8 @@ void append_pieces(const std::uint32_t* counts, const Rect& row, std::uint64_t m
 
 }  // namespace
 
-std::vector<Rect> FragmentLists::parts(std::uint64_t most) const {
-  std::vector<Rect> parts;
+const std::vector<Rect>& FragmentLists::parts(std::uint64_t most) {
+  parts_.clear();
   bool may_grow = false;  // the last part by a whole row
   std::uint64_t gathered = 0;
   for (int i = 0; i < wanted_.height; ++i) {
@@ -42,18 +42,18 @@ std::vector<Rect> FragmentLists::parts(std::uint64_t most) const {
     const std::uint64_t of_row = count_of_row(row.top);
     if (may_grow && gathered + of_row <= most) {
       gathered += of_row;
-      ++parts.back().height;
+      ++parts_.back().height;
       continue;
     }
     may_grow = of_row <= most;
     gathered = of_row;
     if (may_grow) {
-      parts.push_back(row);
+      parts_.push_back(row);
     } else {
-      append_pieces(counts, row, most, parts);
+      append_pieces(counts, row, most, parts_);
     }
   }
-  return parts;
+  return parts_;
 }
 
 std::uint64_t FragmentLists::count_of_row(int y) const {

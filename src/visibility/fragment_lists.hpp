@@ -37,8 +37,8 @@ class FragmentLists {
   void begin_counting(const VisibilityBuffer& front, const Rect& rect, const Rect& wanted);
 
   /// Rectangles that together are `wanted`, from top to bottom, each with at most `most` fragments or a
-  /// single pixel.
-  std::vector<Rect> parts(std::uint64_t most) const;
+  /// single pixel. They stay until the next call.
+  const std::vector<Rect>& parts(std::uint64_t most);
 
   /// How many there are in a row of `wanted`, picture coordinates. @pre counted
   std::uint64_t count_of_row(int y) const;
@@ -80,7 +80,8 @@ class FragmentLists {
   const VisibilityBuffer* front_ = nullptr;
   Rect rect_, wanted_, part_;
   bool is_counting_ = false;
-  Image<std::uint32_t> counts_;           // of wanted_
+  Image<std::uint32_t> counts_;  // of wanted_
+  std::vector<Rect> parts_;
   std::vector<std::uint32_t> ends_;       // per pixel of part_; its list's begin until it is filled
   std::vector<std::uint64_t> fragments_;  // of part_
 };

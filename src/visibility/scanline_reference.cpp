@@ -171,6 +171,9 @@ RasterCounts rasterize_scanline(std::span<const ScreenTriangle> triangles, const
     scan<PlaneDepth, format.value>(triangles, target, tables, counts);
   });
   counts.pixels_tested = counts.fragments;
+  // They change places row by row; the next call is to find enough in either.
+  tables.merged.reserve(tables.active.capacity());
+  tables.active.reserve(tables.merged.capacity());
   return counts;
 }
 

@@ -43,7 +43,7 @@ std::string names(const Camera& camera, double aspect = 1.0) {
   const ViewingTransform transform = camera.viewing_transform(aspect);
   for (const Stage& stage : transform.stages()) {
     CHECK(stage.meaning.back() == '.');
-    result += stage.name + " ";
+    result += std::string(stage.name) + " ";
   }
   return result;
 }

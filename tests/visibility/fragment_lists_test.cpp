@@ -34,7 +34,7 @@ struct Counted {
 }  // namespace
 
 TEST_CASE("lists are cut into parts of whole rows, and into pieces of rows that are too long") {
-  const Counted few({{1, 1, 1}, {2, 0, 0}, {0, 0, 0}, {4, 0, 2}, {1, 0, 0}});
+  Counted few({{1, 1, 1}, {2, 0, 0}, {0, 0, 0}, {4, 0, 2}, {1, 0, 0}});
   CHECK(few.lists.parts(100) == std::vector<Rect>{{3, 2, 3, 5}});
   CHECK(few.lists.parts(6) == std::vector<Rect>{{3, 2, 3, 3}, {3, 5, 3, 1}, {3, 6, 3, 1}});
   // 4, 0, 2 does not fit: it is cut, and what is larger than a part stands alone.
