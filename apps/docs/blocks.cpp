@@ -24,6 +24,7 @@ Docs make_docs() {
   docs.pictures["clipping.png"] = velum::draw_clipping(subject.clip, 360);
   docs.pictures["conventions.png"] = draw_conventions(subject);
   docs.pictures["spans.png"] = draw_spans(subject);
+  docs.pictures["samples.png"] = draw_samples(subject);
   docs.pictures["pixel.png"] =
       velum::draw_pixel(subject.pixel, subject.scene, subject.camera, subject.settings, {5, 40});
   add_stage_blocks(subject, docs);

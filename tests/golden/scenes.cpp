@@ -110,6 +110,23 @@ GoldenScene widest() {
   return result;
 }
 
+/// With samples, with a wireframe and through glass too, and with a larger picture filtered.
+void add_smooth_edges(std::vector<GoldenScene>& scenes) {
+  const auto add = [&scenes](const char* name, Scene scene) -> RenderSettings& {
+    scenes.push_back(entry(name, std::move(scene)));
+    scenes.back().projections = {"perspective", "cabinet"};
+    return scenes.back().settings;
+  };
+  add("samples-4", solids()).samples = 4;
+  add("samples-16", transparent()).samples = 16;
+  RenderSettings& wires = add("samples-wireframe", solids());
+  wires.samples = 8;
+  wires.wireframe = true;
+  RenderSettings& fine = add("supersampled", textured());
+  fine.supersample = 3;
+  fine.supersample_filter = DownsampleFilter::mitchell;
+}
+
 /// The solids in every other shading.
 void add_shadings(std::vector<GoldenScene>& scenes) {
   const std::pair<Shading, const char*> shadings[] = {{Shading::flat, "flat"},
@@ -125,6 +142,7 @@ void add_shadings(std::vector<GoldenScene>& scenes) {
     scene.projections = {"perspective"};
     scenes.push_back(std::move(scene));
   }
+  add_smooth_edges(scenes);
   GoldenScene wide = entry("lines", lines());
   wide.settings.line_width = 2.0f;
   scenes.push_back(std::move(wide));
