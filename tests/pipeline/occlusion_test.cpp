@@ -12,7 +12,7 @@ using velum::test::moved;
 
 namespace {
 
-constexpr int width = 160, height = 120;
+constexpr int width = 96, height = 72;
 
 /// Walls and solids with gaps between them.
 Scene occluders() {
@@ -59,16 +59,34 @@ Mesh mesh_of(const Aabb& box) {
 /// Ground truth from the pictures of occluders and box alone: whether the box is seen at some pixel, and
 /// whether it is hidden by two pixels or more: also everywhere around its pixels, as far as its nearest
 /// depth.
+/// The box alone.
+struct Alone {
+  Image<float> depth{width, height};
+  Image<std::uint32_t> triangle_id{width, height};
+
+  Rect bounding_box() const {
+    Rect box;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        if (triangle_id.at(x, y) != no_primitive) box = united(box, {x, y, 1, 1});
+      }
+    }
+    return box;
+  }
+};
+
 struct Truth {
   bool is_seen = false;
   bool is_deeply_hidden = true;
 };
-Truth truth_of(const Aabb& box, const Picture& behind) {
+Truth truth_of(const Aabb& box, const Image<float>& behind, Renderer& renderer) {
   Scene scene;
   scene.add(mesh_of(box));
   RenderSettings settings = test::size(width, height);
-  settings.shading = Shading::triangle_id;
-  const Picture alone = render(scene, viewer(), settings);
+  settings.threads = 1;
+  Alone alone;
+  renderer.render_into(scene, viewer(), settings,
+                       {.depth = alone.depth.view(), .triangle_id = alone.triangle_id.view()});
   Truth truth;
   float nearest = 1.0f;
   for (int y = 0; y < height; ++y) {
@@ -79,12 +97,12 @@ Truth truth_of(const Aabb& box, const Picture& behind) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const bool is_there = alone.triangle_id.at(x, y) != no_primitive;
-      truth.is_seen = truth.is_seen || (is_there && alone.depth.at(x, y) < behind.depth.at(x, y));
+      truth.is_seen = truth.is_seen || (is_there && alone.depth.at(x, y) < behind.at(x, y));
     }
   }
   for (int y = std::max(seen.top - 2, 0); y < std::min(seen.bottom() + 2, height); ++y) {
     for (int x = std::max(seen.left - 2, 0); x < std::min(seen.right() + 2, width); ++x) {
-      truth.is_deeply_hidden = truth.is_deeply_hidden && behind.depth.at(x, y) < nearest;
+      truth.is_deeply_hidden = truth.is_deeply_hidden && behind.at(x, y) < nearest;
     }
   }
   return truth;
@@ -93,14 +111,14 @@ Truth truth_of(const Aabb& box, const Picture& behind) {
 void check_boxes(int count) {
   const Scene scene = occluders();
   const OcclusionBuffer buffer(scene, viewer(), width, height);
-  RenderSettings settings = test::size(width, height);
-  settings.shading = Shading::triangle_id;
-  const Picture behind = render(scene, viewer(), settings);
+  Renderer renderer;
+  Image<float> behind(width, height);
+  renderer.render_into(scene, viewer(), test::size(width, height), {.depth = behind.view()});
   Random random{6};
   int hidden = 0, deeply_hidden = 0, found = 0;
   for (int i = 0; i < count; ++i) {
     const Aabb box = random_box(random);
-    const Truth truth = truth_of(box, behind);
+    const Truth truth = truth_of(box, behind, renderer);
     const bool is_hidden = buffer.is_hidden(box);
     if (is_hidden) CHECK_FALSE(truth.is_seen);
     hidden += is_hidden;
