@@ -44,7 +44,7 @@ HWY_INLINE void fetch(const SetUpWork& work, std::uint32_t& next, Chunk& out, st
   for (; next < work.last && count < chunk_size; ++next) {
     const std::uint32_t* const indices = work.indices + 3 * static_cast<std::size_t>(next);
     if (next + fetch_ahead < work.last) {
-      for (int v = 0; v < 3; ++v) hwy::Prefetch(work.placed + indices[3 * fetch_ahead + v]);
+      for (std::uint32_t v = 0; v < 3; ++v) hwy::Prefetch(work.placed + indices[3 * fetch_ahead + v]);
     }
     const PlacedVertex a = work.placed[indices[0]];
     const PlacedVertex b = work.placed[indices[1]];
