@@ -111,10 +111,6 @@ class TiledClusters : public ClusterDrawer {
   void set_up_group(const ClusterBatch& batch, Group& group, Worker& worker) const;
   void set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, Group& group,
                       Worker& worker) const;
-  SetUpWork work_for(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, Group& group,
-                     Worker& worker) const;
-  void set_up_slow(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, std::size_t count,
-                   Counters& counters, Worker& worker) const;
   void leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const;
   void draw_tile(std::size_t tile, Worker& worker) const;
   void publish_tile(std::size_t tile, int last_level) const;

@@ -7,6 +7,65 @@
 namespace velum {
 namespace {
 
+/// What the kernel is told of the triangles.
+SetUpWork work_of(const BatchInput& input, const TriangleList& triangles, ScreenPrimitives& out,
+                  BatchScratch& scratch) {
+  const Rect& target = input.grid.target;
+  SetUpWork work{};
+  work.indices = triangles.indices;
+  work.first = triangles.first;
+  work.last = triangles.last;
+  work.first_primitive = triangles.first_primitive;
+  work.primitives = triangles.primitives;
+  work.positions = &triangles.positions->x;
+  work.clip_from_object = glm::value_ptr(triangles.clip_from_object);
+  work.placed = triangles.placed;
+  work.width = input.settings.width;
+  work.height = input.settings.height;
+  work.target_left = target.left;
+  work.target_top = target.top;
+  work.target_right = target.right();
+  work.target_bottom = target.bottom();
+  work.tile_columns = input.grid.columns;
+  work.sample_x = static_cast<float>(input.sample.x) / subpixels;
+  work.sample_y = static_cast<float>(input.sample.y) / subpixels;
+  set_culling(work, input.settings.cull, triangles.is_mirrored);
+  work.large = out.large.data() + out.large_count;
+  work.small = out.small.data() + out.small_count;
+  work.fragments = out.fragments.data() + out.fragment_count;
+  work.slow = scratch.slow.data();
+  return work;
+}
+
+/// The first `count` triangles of scratch.slow, by the plain stages.
+void set_up_slow(const BatchInput& input, const TriangleList& triangles, std::size_t count,
+                 BatchScratch& scratch, Counters& counters) {
+  const Viewport viewport{input.settings.width, input.settings.height};
+  const auto vertex = [&](std::uint32_t i) {
+    return clip_position(triangles.clip_from_object, triangles.positions[i]);
+  };
+  for (std::size_t next = 0; next < count; ++next) {
+    const std::uint32_t i = scratch.slow[next];
+    const std::uint32_t* const corner = triangles.indices + 3 * static_cast<std::size_t>(i);
+    const AssembledTriangle triangle =
+        assemble({vertex(corner[0]), vertex(corner[1]), vertex(corner[2])}, triangles.is_mirrored,
+                 input.settings.cull, clip_volume_of(input.settings), counters);
+    if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
+      set_up(triangle, triangles.primitive(i), viewport, counters, scratch.screen_triangles);
+    }
+  }
+}
+
+/// Appends scratch.screen_triangles as the sample sees them, and empties it.
+void append_screen_triangles(const BatchInput& input, ScreenPrimitives& out, BatchScratch& scratch,
+                             Counters& counters) {
+  move_all_to(input.sample, scratch.screen_triangles);
+  for (const ScreenTriangle& triangle : scratch.screen_triangles) {
+    if (!append_triangle(triangle, input.grid, out)) ++counters.zero_area;
+  }
+  scratch.screen_triangles.clear();
+}
+
 /// A run with all that belongs to it.
 struct RunSetUp {
   const BatchInput& input;
@@ -20,63 +79,12 @@ struct RunSetUp {
   const std::uint32_t first_primitive = input.scene.primitive({run.instance, 0, run.kind});
   const Viewport viewport{input.settings.width, input.settings.height};
 
-  SetUpWork work() const {
-    const Rect& target = input.grid.target;
-    SetUpWork work{};
-    work.indices = &mesh.triangles[0].x;
-    work.first = run.first;
-    work.last = run.last;
-    work.first_primitive = first_primitive;
-    work.positions = &mesh.positions[0].x;
-    work.clip_from_object = glm::value_ptr(vertices.clip_from_object);
-    work.placed = vertices.placed.data();
-    work.width = viewport.width;
-    work.height = viewport.height;
-    work.target_left = target.left;
-    work.target_top = target.top;
-    work.target_right = target.right();
-    work.target_bottom = target.bottom();
-    work.tile_columns = input.grid.columns;
-    work.sample_x = static_cast<float>(input.sample.x) / subpixels;
-    work.sample_y = static_cast<float>(input.sample.y) / subpixels;
-    set_culling(work, input.settings.cull, is_mirroring(instance.world_from_object));
-    work.large = out.large.data() + out.large_count;
-    work.small = out.small.data() + out.small_count;
-    work.fragments = out.fragments.data() + out.fragment_count;
-    work.slow = scratch.slow.data();
-    return work;
-  }
-
-  void set_up_triangles() {
-    scratch.slow.make_room(run.count());
-    out.make_room(run.count());
-    const SetUpResult result = input.set_up(work(), counters);
-    out.large_count += result.large;
-    out.small_count += result.small;
-    out.fragment_count += result.fragments;
-    out.box = united(out.box, result.box);
-    set_up_slow_triangles(result.slow);
-  }
-
-  std::array<glm::dvec4, 3> clip_triangle_of(const glm::uvec3& indices) const {
-    const auto vertex = [&](std::uint32_t i) {
-      return clip_position(vertices.clip_from_object, mesh.positions[i]);
-    };
-    return {vertex(indices.x), vertex(indices.y), vertex(indices.z)};
-  }
-
-  /// Those that need clipping, by the plain stages.
-  void set_up_slow_triangles(std::size_t count) {
-    const bool mirrored = is_mirroring(instance.world_from_object);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t index = scratch.slow[i];
-      const AssembledTriangle triangle =
-          assemble(clip_triangle_of(mesh.triangles[index]), mirrored, input.settings.cull,
-                   clip_volume_of(input.settings), counters);
-      if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
-        set_up(triangle, first_primitive + index, viewport, counters, scratch.screen_triangles);
-      }
-    }
+  void set_up_run_triangles() {
+    set_up_triangles(
+        input,
+        {&mesh.triangles[0].x, run.first, run.last, first_primitive, nullptr, &mesh.positions[0],
+         vertices.placed.data(), vertices.clip_from_object, is_mirroring(instance.world_from_object)},
+        out, scratch, counters);
   }
 
   void set_up_segments() {
@@ -96,7 +104,7 @@ struct RunSetUp {
   void set_up_run() {
     switch (run.kind) {
       case PrimitiveKind::triangle:
-        return set_up_triangles();
+        return set_up_run_triangles();
       case PrimitiveKind::segment:
         return set_up_segments();
       case PrimitiveKind::point:
@@ -121,18 +129,29 @@ void set_culling(SetUpWork& work, Cull cull, bool mirrored) {
   work.cull_zero = culls_front;  // edge-on counts as front-facing
 }
 
+void set_up_triangles(const BatchInput& input, const TriangleList& triangles, ScreenPrimitives& out,
+                      BatchScratch& scratch, Counters& counters) {
+  scratch.slow.make_room(triangles.count());
+  out.make_room(triangles.count());
+  const SetUpResult result = input.set_up(work_of(input, triangles, out, scratch), counters);
+  out.large_count += result.large;
+  out.small_count += result.small;
+  out.fragment_count += result.fragments;
+  out.box = united(out.box, result.box);
+  scratch.screen_triangles.clear();
+  set_up_slow(input, triangles, result.slow, scratch, counters);
+  append_screen_triangles(input, out, scratch, counters);
+}
+
 void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,
                   BatchScratch& scratch) {
   batch.counters = {};
   batch.primitives.clear();
   batch.primitives.make_room(batch.count);
+  scratch.screen_triangles.clear();
   for (const PrimitiveRun& run : batch.runs) {
-    scratch.screen_triangles.clear();
     RunSetUp{input, vertices[run.vertices], run, batch.counters, batch.primitives, scratch}.set_up_run();
-    move_all_to(input.sample, scratch.screen_triangles);
-    for (const ScreenTriangle& triangle : scratch.screen_triangles) {
-      if (!append_triangle(triangle, input.grid, batch.primitives)) ++batch.counters.zero_area;
-    }
+    append_screen_triangles(input, batch.primitives, scratch, batch.counters);
   }
   batch.bins.sort(batch.primitives, input.grid);
 }

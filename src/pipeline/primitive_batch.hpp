@@ -61,6 +61,30 @@ struct BatchScratch {
   void make_room_like(const BatchScratch& other);
 };
 
+/// Triangles of one instance that have their vertices in common.
+struct TriangleList {
+  const std::uint32_t* indices;  ///< three per triangle, of the positions
+  std::uint32_t first;           ///< triangles first … last-1 are set up
+  std::uint32_t last;
+  std::uint32_t first_primitive;    ///< see SetUpWork
+  const std::uint32_t* primitives;  ///< see SetUpWork
+  const glm::vec3* positions;       ///< object space
+  const PlacedVertex* placed;       ///< the same vertices on the picture
+  const glm::dmat4& clip_from_object;
+  bool is_mirrored;
+
+  std::uint32_t count() const { return last - first; }
+  /// The id of triangle i.
+  std::uint32_t primitive(std::uint32_t i) const {
+    return first_primitive + (primitives != nullptr ? primitives[i] : i);
+  }
+};
+
+/// Appends what becomes of the triangles: by the kernel, and by the plain stages where a vertex has no place.
+/// Those go to scratch.screen_triangles first, which is emptied.
+void set_up_triangles(const BatchInput& input, const TriangleList& triangles, ScreenPrimitives& out,
+                      BatchScratch& scratch, Counters& counters);
+
 /// Fills the batch's bins and counters.
 /// @param vertices  those of the round
 void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,

@@ -84,49 +84,14 @@ void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker
   ScreenPrimitives& primitives = group.primitives;
   primitives.clear();
   primitives.make_room(group.triangles);
-  worker.scratch.screen_triangles.clear();
   for (std::uint32_t i = group.first; i < group.last; ++i) {
     const ClusterBatch::Entry& entry = batch.entries[i];
     const ClusterBatch::PlacedMesh& placed = batch.meshes[entry.placed];
     const std::uint32_t mesh = input_.frame.scene.instances()[placed.instance].mesh;
     set_up_cluster(placed, input_.octrees.mesh(mesh).cluster(entry.cluster), group, worker);
   }
-  for (const ScreenTriangle& triangle : worker.scratch.screen_triangles) {
-    if (!append_triangle(triangle, grid_, primitives)) ++group.counters.zero_area;
-  }
   if (input_.tests_polygons) leave_out_hidden(primitives, group.counters.hierarchy);
   group.bins.sort(primitives, grid_);
-}
-
-SetUpWork TiledClusters::work_for(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
-                                  Group& group, Worker& worker) const {
-  const Scene& scene = input_.frame.scene;
-  const Instance& instance = scene.instances()[placed.instance];
-  const RenderSettings& settings = input_.frame.settings;
-  ScreenPrimitives& out = group.primitives;
-  out.make_room(cluster.triangles.size());
-  worker.scratch.slow.make_room(cluster.triangles.size());
-  SetUpWork work{};
-  work.indices = cluster.indices.data();
-  work.last = static_cast<std::uint32_t>(cluster.triangles.size());
-  work.first_primitive = scene.first_primitive(placed.instance);
-  work.primitives = cluster.triangles.data();
-  work.positions = &cluster.positions[0].x;
-  work.clip_from_object = glm::value_ptr(worker.vertices.clip_from_object);
-  work.placed = worker.vertices.placed.data();
-  work.width = settings.width;
-  work.height = settings.height;
-  work.target_left = grid_.target.left;
-  work.target_top = grid_.target.top;
-  work.target_right = grid_.target.right();
-  work.target_bottom = grid_.target.bottom();
-  work.tile_columns = grid_.columns;
-  set_culling(work, settings.cull, is_mirroring(instance.world_from_object));
-  work.large = out.large.data() + out.large_count;
-  work.small = out.small.data() + out.small_count;
-  work.fragments = out.fragments.data() + out.fragment_count;
-  work.slow = worker.scratch.slow.data();
-  return work;
 }
 
 void TiledClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
@@ -140,34 +105,13 @@ void TiledClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const
   transform_({&cluster.positions[0].x, vertex_count, glm::value_ptr(vertices.clip_from_object),
               settings.width, settings.height, nullptr, nullptr, vertices.placed.data()});
   group.counters.vertices += vertex_count;
-  const SetUpResult result = set_up_(work_for(placed, cluster, group, worker), group.counters);
-  ScreenPrimitives& out = group.primitives;
-  out.large_count += result.large;
-  out.small_count += result.small;
-  out.fragment_count += result.fragments;
-  out.box = united(out.box, result.box);
-  set_up_slow(placed, cluster, result.slow, group.counters, worker);
-}
-
-void TiledClusters::set_up_slow(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
-                                std::size_t count, Counters& counters, Worker& worker) const {
-  const RenderSettings& settings = input_.frame.settings;
   const Scene& scene = input_.frame.scene;
-  const bool mirrored = is_mirroring(scene.instances()[placed.instance].world_from_object);
-  const std::uint32_t first_primitive = scene.first_primitive(placed.instance);
-  for (std::size_t next = 0; next < count; ++next) {
-    const std::size_t i = worker.scratch.slow[next];
-    const std::uint32_t* const corner = &cluster.indices[3 * i];
-    const auto vertex = [&](std::uint32_t k) {
-      return clip_position(placed.clip_from_object, cluster.positions[k]);
-    };
-    const AssembledTriangle triangle = assemble({vertex(corner[0]), vertex(corner[1]), vertex(corner[2])},
-                                                mirrored, settings.cull, clip_volume_of(settings), counters);
-    if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
-      set_up(triangle, first_primitive + cluster.triangles[i], {settings.width, settings.height}, counters,
-             worker.scratch.screen_triangles);
-    }
-  }
+  set_up_triangles({scene, settings, grid_, set_up_},
+                   {cluster.indices.data(), 0, static_cast<std::uint32_t>(cluster.triangles.size()),
+                    scene.first_primitive(placed.instance), cluster.triangles.data(),
+                    cluster.positions.data(), vertices.placed.data(), vertices.clip_from_object,
+                    is_mirroring(scene.instances()[placed.instance].world_from_object)},
+                   group.primitives, worker.scratch, group.counters);
 }
 
 void TiledClusters::leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const {

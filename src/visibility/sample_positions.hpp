@@ -76,7 +76,7 @@ inline SnappedVertex seen_from(const SnappedVertex& vertex, const SamplePosition
 ///   r_ref' = r_ref + (dx·(sample.x / 256) + dy·(sample.y / 256))
 ///
 /// in place of r_ref, so that it is monotone in x and y, in the triangle's range, never -0, and at the centre
-/// what it is without samples. Works on a DepthPlane and a RasterTriangle.
+/// what it is without samples.
 template <typename Plane>
 void move_depth(Plane& plane, const SamplePosition& sample) {
   const float along_x = plane.dx * (static_cast<float>(sample.x) / subpixels);

@@ -4,29 +4,15 @@
 #include <velum/velum.hpp>
 
 #include "random_rays.hpp"
+#include "solids.hpp"
 
 using namespace velum;
 
 namespace {
 
-glm::dmat4 moved(const glm::dvec3& by) {
-  glm::dmat4 m(1.0);
-  m[3] = glm::dvec4(by, 1.0);
-  return m;
-}
-
-/// Solids that overlap in the picture, one mirrored, one turned, and lines among them.
-Scene solids(const glm::dvec3& offset) {
-  Scene scene;
-  scene.add(shapes::letter_f(), moved(offset));
-  glm::dmat4 mirrored = moved(offset + glm::dvec3(0.4, 0.1, -0.3));
-  mirrored[0] = {-0.7, 0.0, 0.2, 0.0};
-  scene.add(shapes::house(), mirrored);
-  glm::dmat4 turned = moved(offset + glm::dvec3(-0.3, -0.2, 0.2));
-  turned[0] = {0.36, 0.48, -0.8, 0.0};
-  turned[1] = {-0.8, 0.6, 0.0, 0.0};
-  turned[2] = {0.48, 0.64, 0.6, 0.0};
-  scene.add(shapes::torus(0.5f, 0.15f, 12, 8), turned);
+/// The solids, and lines among them.
+Scene solids_and_lines(const glm::dvec3& offset) {
+  Scene scene = solids(offset);
   Mesh lines;
   lines.positions = {glm::vec3(-1, -1, -1), glm::vec3(1, 1, 1), glm::vec3(0.2f, 0.8f, 0.5f)};
   lines.segments = {glm::uvec2(0, 1)};
@@ -85,7 +71,7 @@ bool same_bytes(const Picture& a, const Picture& b) {
 }  // namespace
 
 TEST_CASE("raster and ray casting agree under every projection") {
-  const Scene scene = solids(glm::dvec3(0.0));
+  const Scene scene = solids_and_lines(glm::dvec3(0.0));
   const RenderSettings settings = settings_of(90, 70);
   for (const ProjectionEntry& entry : projection_catalogue()) {
     CAPTURE(entry.name);
@@ -94,7 +80,7 @@ TEST_CASE("raster and ray casting agree under every projection") {
 }
 
 TEST_CASE("raster and ray casting agree 10,000 units from the origin") {
-  const Scene scene = solids(glm::dvec3(1e4));
+  const Scene scene = solids_and_lines(glm::dvec3(1e4));
   const RenderSettings settings = settings_of(90, 70);
   for (const ProjectionEntry& entry : projection_catalogue()) {
     CAPTURE(entry.name);
@@ -130,7 +116,7 @@ TEST_CASE("raster and ray casting agree for a viewer among triangles that cross 
 }
 
 TEST_CASE("raster and ray casting agree for embedders' matrices, an infinite far plane too") {
-  const Scene scene = solids({0.0, 0.0, -4.0});
+  const Scene scene = solids_and_lines({0.0, 0.0, -4.0});
   const RenderSettings settings = settings_of(80, 80);
   glm::dmat4 infinite(0.0);
   infinite[0][0] = infinite[1][1] = 2.0;
@@ -143,7 +129,7 @@ TEST_CASE("raster and ray casting agree for embedders' matrices, an infinite far
 }
 
 TEST_CASE("ray casting gives the same bytes with every structure, thread count, executor and crop") {
-  const Scene scene = solids(glm::dvec3(0.0));
+  const Scene scene = solids_and_lines(glm::dvec3(0.0));
   RenderSettings settings = settings_of(70, 50);
   settings.visibility = VisibilityMethod::raycast;
   settings.accelerator = AcceleratorKind::brute_force;
@@ -175,7 +161,7 @@ TEST_CASE("ray casting gives the same bytes with every structure, thread count, 
 }
 
 TEST_CASE("where raster and ray casting see the same triangle, depth and colour have the same bits") {
-  Scene scene = solids(glm::dvec3(0.0));
+  Scene scene = solids_and_lines(glm::dvec3(0.0));
   Material glass;
   glass.alpha = 0.5f;
   scene.set_material(0, glass);  // layers behind the first one too
@@ -201,7 +187,7 @@ TEST_CASE("where raster and ray casting see the same triangle, depth and colour 
 }
 
 TEST_CASE("a renderer that casts rays notices that the scene has changed") {
-  Scene scene = solids(glm::dvec3(0.0));
+  Scene scene = solids_and_lines(glm::dvec3(0.0));
   RenderSettings settings = settings_of(60, 60);
   settings.visibility = VisibilityMethod::raycast;
   const Camera camera = camera_of(scene, "perspective", settings);
@@ -219,7 +205,7 @@ TEST_CASE("ray casting refuses depth formats, which are about a buffer") {
   RenderSettings settings = settings_of(10, 10);
   settings.visibility = VisibilityMethod::raycast;
   settings.depth_format = DepthFormat::z16;
-  const Scene scene = solids(glm::dvec3(0.0));
+  const Scene scene = solids_and_lines(glm::dvec3(0.0));
   CHECK_THROWS_AS(render(scene, camera_of(scene, "perspective", settings), settings), Error);
 }
 
