@@ -46,7 +46,7 @@ class KdBuilder {
   KdArrays run() {
     Cell root;
     root.count = items_.size();
-    for (const BoxedItem& item : items_) root.box.include(item.box);
+    root.box = arrays_.cell = box_around(items_);
     for (int axis = 0; axis < 3; ++axis) root.sides[static_cast<std::size_t>(axis)] = sorted_sides(axis);
     divide(std::move(root), kd_depth(settings_, items_.size()));
     return std::move(arrays_);
@@ -164,7 +164,7 @@ class KdBuilder {
 }  // namespace
 
 int kd_depth(const KdSettings& settings, std::size_t n) {
-  if (settings.most_depth > 0) return std::min(settings.most_depth, 60);
+  if (settings.most_depth > 0) return std::min(settings.most_depth, KdArrays::most_depth);
   return 8 + static_cast<int>(1.3 * static_cast<double>(std::bit_width(n)));
 }
 

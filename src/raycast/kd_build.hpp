@@ -6,11 +6,6 @@
 
 namespace velum {
 
-struct KdArrays {
-  std::vector<KdNode> nodes;
-  std::vector<std::uint32_t> ids;
-};
-
 /// The exact surface-area heuristic over all planes at the sides of boxes, in O(n log n): the sides are
 /// sorted once and kept in order from node to node.
 /// Source: Wald & Havran 2006, "On building fast kd-Trees for Ray Tracing, and on doing that in O(N log N)";

@@ -1,20 +1,15 @@
 #pragma once
 
 #include "accelerator.hpp"
+#include "kd_ropes.hpp"
 
 namespace velum {
 
-/// A node of the flat array, 8 bytes; the left child of an inner node is the next one.
-struct KdNode {
-  std::uint32_t word = 3;  ///< lowest two bits: the axis, 3 of a leaf. Above: the right child; leaf: first id
-  union {
-    float split = 0.0f;
-    std::uint32_t count;  ///< leaf: how many ids
-  };
-
-  bool is_leaf() const { return (word & 3u) == 3u; }
-  int axis() const { return static_cast<int>(word & 3u); }
-  std::uint32_t index() const { return word >> 2; }
+/// How a ray finds its way through a kd-tree. All find the same hits.
+enum class KdWalk {
+  stack,      ///< a loop; the far children wait on a stack
+  recursive,  ///< the same as a function that calls itself, to be read beside it
+  ropes,      ///< from cell to neighbouring cell, without a stack: see KdRopes
 };
 
 struct KdSettings {
@@ -22,6 +17,7 @@ struct KdSettings {
   double triangle_cost = 1.5;  ///< of one intersection
   double empty_bonus = 0.2;    ///< by this share a split is cheaper that cuts empty space off
   int most_depth = 0;          ///< 0: 8 + 1.3·log2(n)
+  KdWalk walk = KdWalk::stack;
 };
 
 /// A kd-tree: space is divided by planes across an axis; triangles that a plane cuts are referenced on both
@@ -30,16 +26,21 @@ struct KdSettings {
 class KdTree final : public Accelerator {
  public:
   explicit KdTree(const TriangleSet& triangles, const KdSettings& settings = {});
-  std::size_t memory() const override {
-    return nodes_.size() * sizeof(KdNode) + ids_.size() * sizeof(ids_[0]);
-  }
-  std::span<const KdNode> nodes() const { return nodes_; }
+  /// A tree made before, over the same triangles. Ropes need a tree that was built for them (pad > 0);
+  /// through others rays go by the stack. @pre fault_in(arrays, …) finds none, see kd_file.hpp
+  KdTree(const TriangleSet& triangles, KdArrays arrays, KdWalk walk);
+
+  std::size_t memory() const override { return arrays_.memory() + ropes_.memory(); }
+  std::span<const KdNode> nodes() const { return arrays_.nodes; }
+  const KdArrays& arrays() const { return arrays_; }
+  const KdRopes& ropes() const { return ropes_; }
 
  private:
   void traverse(Search& search) const override;
 
-  std::vector<KdNode> nodes_;
-  std::vector<std::uint32_t> ids_;  ///< of the leaves, one after the other
+  KdArrays arrays_;
+  KdWalk walk_;
+  KdRopes ropes_;
 };
 
 }  // namespace velum

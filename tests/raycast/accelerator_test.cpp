@@ -37,6 +37,11 @@ std::vector<Built> build_all(const TriangleSet& triangles) {
   all.push_back({"octree, kept",
                  std::make_unique<OctreeCaster>(triangles, OctreeOptions{OctreePlacement::kept, 2, 20})});
   all.push_back({"kd-tree, deep", std::make_unique<KdTree>(triangles, KdSettings{0.1, 4.0, 0.9, 30})});
+  all.push_back(
+      {"kd-tree, recursive", std::make_unique<KdTree>(triangles, KdSettings{.walk = KdWalk::recursive})});
+  all.push_back({"kd-tree, ropes", std::make_unique<KdTree>(triangles, KdSettings{.walk = KdWalk::ropes})});
+  all.push_back({"kd-tree, deep, ropes",
+                 std::make_unique<KdTree>(triangles, KdSettings{0.1, 4.0, 0.9, 30, KdWalk::ropes})});
   all.push_back({"grid, coarse", std::make_unique<Grid>(triangles, GridSettings{0.5, 1, 16})});
   all.push_back({"grid, deep", std::make_unique<Grid>(triangles, GridSettings{0.7, 5, 2})});
   all.push_back({"bsp, small leaves", std::make_unique<BspTree>(triangles, BspSettings{1, 30, 40})});
@@ -144,24 +149,63 @@ TEST_CASE("a filter leaves triangles out") {
   }
 }
 
-TEST_CASE("the early-out trap: a hit found in a cell but lying beyond it") {
-  // The long triangle reaches through many cells; the ray meets it far behind the small ones, whose cells
-  // come later than the first cell that holds the long one.
+namespace {
+
+/// Long triangles, which reach through many cells, among small ones: a ray meets a long one in a cell near
+/// its beginning, hits it far from there, and something small lies between.
+RandomTriangles early_out_trap(Random& random) {
   RandomTriangles triangles;
-  triangles.add({-10, -1, 0}, {10, -0.25f, 9}, {-10, 1, 0});
-  for (int i = 0; i < 60; ++i) {
-    const float x = static_cast<float>(i) * 0.1f - 6.0f, y = i % 2 == 0 ? 3.0f : -3.0f;
-    triangles.add({x, y, 0.5f}, {x + 0.1f, y, 0.5f}, {x, y + 0.1f, 0.6f});
+  for (int i = 0; i < 12; ++i) {
+    const glm::vec3 a(random_point(random));
+    triangles.add(a, a + glm::vec3(random_point(random, 2.0)), a + glm::vec3(random_point(random, 0.5)));
   }
-  triangles.add({2, -0.5f, 4}, {2, 0.5f, 4}, {2, 0, 7});
-  const Ray ray{{-9.5, 0.0, 5.0}, {1.0, -0.0125, 0.0}};
-  CastCounters counters;
-  const RayHit expected = BruteForce(triangles.set()).first_hit(ray, {}, counters);
-  REQUIRE(expected.is_hit());
+  for (int i = 0; i < 400; ++i) {
+    const glm::vec3 a(random_point(random));
+    triangles.add(a, a + glm::vec3(random_point(random, 0.2)), a + glm::vec3(random_point(random, 0.2)));
+  }
+  return triangles;
+}
+
+void check_early_out_trap(const std::string& name) {
+  Random random{26};
+  const RandomTriangles triangles = early_out_trap(random);
+  const BruteForce oracle(triangles.set());
+  int structures = 0;
   for (const Built& built : build_all(triangles.set())) {
+    if (built.name.compare(0, name.size(), name) != 0) continue;
     CAPTURE(built.name);
-    CHECK(same(built.structure->first_hit(ray, {}, counters), expected));
+    ++structures;
+    int wrong = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Ray ray = random_ray(random);
+      CastCounters counters;
+      wrong += !same(built.structure->first_hit(ray, {}, counters), oracle.first_hit(ray, {}, counters));
+    }
+    CHECK(wrong == 0);
   }
+  CHECK(structures > 0);
+}
+
+}  // namespace
+
+// A hit found in a cell but lying beyond it must not end the search.
+TEST_CASE("the early-out trap: uniform grid") {
+  check_early_out_trap("grid");
+}
+TEST_CASE("the early-out trap: nested grid") {
+  check_early_out_trap("nested-grid");
+}
+TEST_CASE("the early-out trap: octree") {
+  check_early_out_trap("octree");
+}
+TEST_CASE("the early-out trap: bsp tree") {
+  check_early_out_trap("bsp");
+}
+TEST_CASE("the early-out trap: kd-tree by stack") {
+  check_early_out_trap("kdtree");
+}
+TEST_CASE("the early-out trap: kd-tree by recursion and by ropes") {
+  check_early_out_trap("kd-tree");
 }
 
 TEST_CASE("structures spare intersections") {
