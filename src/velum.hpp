@@ -40,6 +40,7 @@
 #include "raycast/camera_rays.hpp"
 #include "raycast/cylinder_intersection.hpp"
 #include "raycast/ellipsoid_intersection.hpp"
+#include "raycast/kd_file.hpp"
 #include "raycast/plane_intersection.hpp"
 #include "raycast/polygon_intersection.hpp"
 #include "raycast/scene_caster.hpp"

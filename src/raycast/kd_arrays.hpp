@@ -27,10 +27,16 @@ struct KdArrays {
 
   std::vector<KdNode> nodes;       ///< in preorder; nodes[0] is the root, none for no triangles
   std::vector<std::uint32_t> ids;  ///< of the leaves, one after the other
-  Box cell;                        ///< the root's
+  /// Of each node, where triangles were split: the longest side of the box of any triangle below it that has
+  /// left out cells its box reaches into. So far a hit can lie from the cells that have the triangle. Or
+  /// none.
+  std::vector<float> reaches;
+  Box cell;          ///< the root's
   double pad = 0.0;  ///< by so much more than their boxes triangles reach into cells; ropes need it
 
-  std::size_t memory() const { return nodes.size() * sizeof(KdNode) + ids.size() * sizeof(ids[0]); }
+  std::size_t memory() const {
+    return nodes.size() * sizeof(KdNode) + ids.size() * sizeof(ids[0]) + reaches.size() * sizeof(reaches[0]);
+  }
 };
 
 }  // namespace velum

@@ -18,6 +18,7 @@ struct RopeWalk {
   const KdArrays& tree;
   const KdRopes& ropes;
   const PreparedRay& ray;
+  CastCounters& counters;
   glm::dvec3 place{0.0};
   double t = 0.0;
   const RopedLeaf* leaf = nullptr;
@@ -41,6 +42,7 @@ struct RopeWalk {
   void descend(std::uint32_t node) {
     while (!tree.nodes[node].is_leaf()) {
       const KdNode& inner = tree.nodes[node];
+      ++counters.nodes;
       const double split = static_cast<double>(inner.split);
       const bool is_above =
           ascends(inner.axis()) ? place[inner.axis()] >= split : place[inner.axis()] > split;
@@ -51,7 +53,7 @@ struct RopeWalk {
   }
 
   /// Through the side that the ray meets first. @return whether there is one that leads on
-  bool step(CastCounters& counters) {
+  bool step() {
     int axis = -1;
     double leaves = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
@@ -84,13 +86,14 @@ struct RopeWalk {
 
 bool walk_by_ropes(const KdArrays& tree, const KdRopes& ropes, const Aabb& bounds, Search& search) {
   const PreparedRay& ray = search.ray;
-  const Interval inside = intersect(ray.through(bounds.lower, bounds.upper), ray.range);
+  const KdWanted is_wanted(tree, search);
+  const Interval inside = is_wanted.root(bounds);
   if (ropes.is_empty() || ray.margin * 16.0 > tree.pad || !std::isfinite(inside.lower)) return false;
   Mailboxes mailboxes;
-  RopeWalk walk{tree, ropes, ray};
-  for (walk.start(inside.lower); walk.t <= std::min(search.limit(), inside.upper);) {
+  RopeWalk walk{tree, ropes, ray, search.counters};
+  for (walk.start(inside.lower); walk.t <= inside.upper && is_wanted(0, {walk.t, inside.upper});) {
     test_leaf(tree, tree.nodes[walk.leaf_node], search, mailboxes);
-    if (search.is_done() || !walk.step(search.counters)) break;
+    if (search.is_done() || !walk.step()) break;
   }
   return true;
 }

@@ -3,22 +3,17 @@
 #include <algorithm>
 
 #include "kd_build.hpp"
+#include "kd_split.hpp"
 #include "kd_walk.hpp"
 
 namespace velum {
 namespace {
 
-/// The lower side of what a box is after padding, in float, never above the exact value.
-float padded_below(float v, double pad) {
-  const auto f = static_cast<float>(static_cast<double>(v) - pad);
-  return f - (f < 0.0f ? -f : f) * 0x1.0p-23f - std::numeric_limits<float>::min();
-}
-
 void pad_boxes(std::vector<BoxedItem>& items, double pad) {
   for (BoxedItem& item : items) {
     for (int axis = 0; axis < 3; ++axis) {
-      item.box.lower[axis] = padded_below(item.box.lower[axis], pad);
-      item.box.upper[axis] = -padded_below(-item.box.upper[axis], pad);
+      item.box.lower[axis] = float_below(static_cast<double>(item.box.lower[axis]) - pad);
+      item.box.upper[axis] = float_above(static_cast<double>(item.box.upper[axis]) + pad);
     }
   }
 }
@@ -35,8 +30,7 @@ KdTree::KdTree(const TriangleSet& triangles, const KdSettings& settings)
     pad = 0x1.0p-24 * std::max({size.x, size.y, size.z});
     pad_boxes(items, pad);
   }
-  arrays_ = build_kd_tree(items, settings);
-  arrays_.pad = pad;
+  arrays_ = build_kd_tree(triangles, std::move(items), pad, settings);
   if (walk_ == KdWalk::ropes) ropes_ = rope_kd_tree(arrays_);
 }
 

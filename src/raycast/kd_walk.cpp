@@ -30,29 +30,33 @@ struct Children {
   }
 };
 
-Visit root_visit(const Aabb& bounds, const PreparedRay& ray) {
-  return {0, intersect(ray.through(bounds.lower, bounds.upper), ray.range)};
-}
-
 void count_inner(Search& search) {
   ++search.counters.nodes;
   ++search.counters.boxes;
 }
 
-void recurse(const KdArrays& tree, const Visit& visit, Search& search, Mailboxes& mailboxes) {
-  // A hit ends nothing by itself: it may lie outside the cell it was found in, and beyond others. Only cells
-  // that the ray enters after it are left out.
-  if (visit.inside.is_empty() || visit.inside.lower > search.limit() || search.is_done()) return;
-  const KdNode& node = tree.nodes[visit.node];
-  if (node.is_leaf()) {
-    test_leaf(tree, node, search, mailboxes);
-    return;
+/// The walk as a function that calls itself.
+struct Recursion {
+  const KdArrays& tree;
+  Search& search;
+  KdWanted is_wanted{tree, search};
+  Mailboxes mailboxes{};
+
+  void visit(const Visit& visit_in) {
+    // A hit ends nothing by itself: it may lie outside the cell it was found in, and beyond others. Only
+    // cells that the ray enters after it are left out.
+    if (visit_in.inside.is_empty() || !is_wanted(visit_in.node, visit_in.inside) || search.is_done()) return;
+    const KdNode& node = tree.nodes[visit_in.node];
+    if (node.is_leaf()) {
+      test_leaf(tree, node, search, mailboxes);
+      return;
+    }
+    count_inner(search);
+    const Children children(tree, search.ray, visit_in);
+    visit(children.near);
+    visit(children.far);
   }
-  count_inner(search);
-  const Children children(tree, search.ray, visit);
-  recurse(tree, children.near, search, mailboxes);
-  recurse(tree, children.far, search, mailboxes);
-}
+};
 
 }  // namespace
 
@@ -69,31 +73,31 @@ void test_leaf(const KdArrays& tree, const KdNode& leaf, Search& search, Mailbox
 }
 
 void walk_by_recursion(const KdArrays& tree, const Aabb& bounds, Search& search) {
-  Mailboxes mailboxes;
-  recurse(tree, root_visit(bounds, search.ray), search, mailboxes);
+  Recursion recursion{tree, search};
+  recursion.visit({0, recursion.is_wanted.root(bounds)});
 }
 
 void walk_by_stack(const KdArrays& tree, const Aabb& bounds, Search& search) {
-  const PreparedRay& ray = search.ray;
+  const KdWanted is_wanted(tree, search);
   Mailboxes mailboxes;
   std::array<Visit, KdArrays::most_depth + 1> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = root_visit(bounds, ray);
-  while (waiting > 0) {
+  stack[waiting++] = {0, is_wanted.root(bounds)};
+  while (waiting > 0 && !search.is_done()) {
     Visit visit = stack[--waiting];
-    if (visit.inside.lower > search.limit()) continue;
-    while (!tree.nodes[visit.node].is_leaf()) {
+    bool wanted = is_wanted(visit.node, visit.inside);
+    while (wanted && !tree.nodes[visit.node].is_leaf()) {
       count_inner(search);
-      const Children children(tree, ray, visit);
+      const Children children(tree, search.ray, visit);
       if (children.near.inside.is_empty()) {
         visit = children.far;
       } else {
         if (!children.far.inside.is_empty()) stack[waiting++] = children.far;
         visit = children.near;
       }
+      if (is_wanted.asks_every_node()) wanted = is_wanted(visit.node, visit.inside);
     }
-    test_leaf(tree, tree.nodes[visit.node], search, mailboxes);
-    if (search.is_done()) return;
+    if (wanted) test_leaf(tree, tree.nodes[visit.node], search, mailboxes);
   }
 }
 

@@ -42,6 +42,18 @@ std::vector<Built> build_all(const TriangleSet& triangles) {
   all.push_back({"kd-tree, ropes", std::make_unique<KdTree>(triangles, KdSettings{.walk = KdWalk::ropes})});
   all.push_back({"kd-tree, deep, ropes",
                  std::make_unique<KdTree>(triangles, KdSettings{0.1, 4.0, 0.9, 30, KdWalk::ropes})});
+  const KdSettings kd_ways[] = {
+      {.cut = KdCut::split},
+      {.triangle_cost = 8.0, .most_depth = 12, .walk = KdWalk::recursive, .cut = KdCut::split},
+      {.triangle_cost = 8.0, .most_depth = 12, .walk = KdWalk::ropes, .cut = KdCut::split},
+      {.samples = 8},
+      {.walk = KdWalk::ropes, .cut = KdCut::split, .samples = 16},
+      {.samples = 1},
+  };
+  for (const KdSettings& settings : kd_ways) {
+    all.push_back({"kd-tree, way " + std::to_string(&settings - kd_ways),
+                   std::make_unique<KdTree>(triangles, settings)});
+  }
   all.push_back({"grid, coarse", std::make_unique<Grid>(triangles, GridSettings{0.5, 1, 16})});
   all.push_back({"grid, deep", std::make_unique<Grid>(triangles, GridSettings{0.7, 5, 2})});
   all.push_back({"bsp, small leaves", std::make_unique<BspTree>(triangles, BspSettings{1, 30, 40})});

@@ -4,6 +4,7 @@
 
 #include "random_scenes.hpp"
 #include "raycast/brute_force.hpp"
+#include "raycast/kd_split.hpp"
 #include "raycast/kd_tree.hpp"
 
 using namespace velum;
@@ -40,7 +41,135 @@ std::vector<Box> cells_of(const KdArrays& tree) {
   return cells;
 }
 
+/// What the surface-area heuristic expects of a tree, by its definition.
+double expected_cost(const KdArrays& tree, const KdSettings& settings = {}) {
+  const std::vector<Box> cells = cells_of(tree);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const KdNode& node = tree.nodes[i];
+    const double cost = node.is_leaf() ? settings.triangle_cost * node.count : settings.step_cost;
+    sum += cost * cells[i].half_area();
+  }
+  return sum / tree.cell.half_area();
+}
+
+/// Long and thin, at random angles.
+RandomTriangles needles(int count) {
+  Random random{44};
+  RandomTriangles triangles;
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 a(random_point(random)), b(random_point(random));
+    triangles.add(a, b, b + glm::vec3(random_point(random, 0.02)));
+  }
+  return triangles;
+}
+
 }  // namespace
+
+TEST_CASE("a kd-tree from samples costs little more than an exact one, and few triangles are exact") {
+  const RandomTriangles triangles = cloud(5000, 0.1);
+  const double exact = expected_cost(KdTree(triangles.set()).arrays());
+  const double halves = expected_cost(KdTree(triangles.set(), {.samples = 2}).arrays());
+  const double sampled = expected_cost(KdTree(triangles.set(), {.samples = 16}).arrays());
+  CAPTURE(exact);
+  CAPTURE(halves);
+  CHECK(sampled < 1.05 * exact);
+  CHECK(sampled < halves);
+  const RandomTriangles few = cloud(100, 0.1);
+  const KdArrays one = KdTree(few.set()).arrays(), other = KdTree(few.set(), {.samples = 101}).arrays();
+  CHECK(one.ids == other.ids);
+  CHECK(one.nodes.size() == other.nodes.size());
+}
+
+TEST_CASE("samples go where the counts change") {
+  // Items in two clusters at the ends of a long cell: even samples see neither's inside.
+  std::vector<BoxedItem> items;
+  std::vector<std::uint32_t> all;
+  Random random{45};
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const auto x = static_cast<float>(i % 2 == 0 ? random.uniform(0.0, 1.0) : random.uniform(99.0, 100.0));
+    items.push_back({{{x, 0, 0}, {x + 0.001f, 1, 1}}, i});
+    all.push_back(i);
+  }
+  const Box cell{{0, 0, 0}, {101, 1, 1}};
+  const KdPlane plane = sampled_plane(items, all, cell, {.samples = 16});
+  CHECK(plane.axis == 0);
+  const bool is_beside_a_cluster =
+      (plane.place > 0.9f && plane.place < 4.0f) || (plane.place > 96.0f && plane.place < 99.1f);
+  CAPTURE(plane.place);
+  CHECK(is_beside_a_cluster);
+}
+
+TEST_CASE("split triangles are only in cells that they reach into") {
+  const RandomTriangles triangles = needles(200);
+  const KdArrays referenced = KdTree(triangles.set()).arrays();
+  const KdArrays split = KdTree(triangles.set(), {.cut = KdCut::split}).arrays();
+  CHECK(expected_cost(split) < 0.5 * expected_cost(referenced));
+  CHECK(referenced.reaches.empty());
+  REQUIRE(split.reaches.size() == split.nodes.size());
+  const std::vector<Box> cells = cells_of(split);
+  std::size_t checked = 0, missing = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const KdNode& leaf = split.nodes[i];
+    if (!leaf.is_leaf()) continue;
+    const auto begin = split.ids.begin() + leaf.index(), end = begin + leaf.count;
+    for (std::uint32_t id = 0; id < triangles.set().size(); ++id) {
+      const bool is_there = std::find(begin, end, id) != end;
+      const bool touches = box_of_part(triangles.set()[id], cells[i], 1e-9).has_value();
+      const bool reaches_inside = box_of_part(triangles.set()[id], cells[i], -1e-9).has_value();
+      CHECK((!is_there || touches));
+      missing += !is_there && reaches_inside;
+      checked += is_there;
+    }
+  }
+  CHECK(missing == 0);
+  CHECK(checked == split.ids.size());
+}
+
+TEST_CASE("the box of a triangle's part in a cell") {
+  const Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const auto box = box_of_part(triangle, {{1, 1, -1}, {9, 9, 1}}, 0.0);
+  REQUIRE(box.has_value());
+  CHECK(box->lower.x == doctest::Approx(1.0));
+  CHECK(box->upper.x == doctest::Approx(3.0));
+  CHECK(box->upper.y == doctest::Approx(3.0));
+  CHECK(box->lower.z <= 0.0f);
+  CHECK(box->upper.z >= 0.0f);
+  CHECK_FALSE(box_of_part(triangle, {{3, 3, -1}, {9, 9, 1}}, 0.0).has_value());  // only its box is there
+  CHECK_FALSE(box_of_part(triangle, {{1, 1, 1}, {9, 9, 2}}, 0.0).has_value());
+}
+
+TEST_CASE("a kd-tree refers to its triangles a bounded number of times") {
+  const RandomTriangles soup = cloud(400, 2.0);
+  for (const KdCut cut : {KdCut::referenced, KdCut::split}) {
+    for (const int samples : {0, 8}) {
+      const KdTree tree(soup.set(), {.cut = cut, .samples = samples, .most_references = 5.0});
+      CHECK(tree.arrays().ids.size() <= 2000);
+      CHECK(tree.arrays().ids.size() > 1000);
+    }
+  }
+}
+
+TEST_CASE("a split triangle is hit by rays that graze it, as a whole one is") {
+  Random random{46};
+  const RandomTriangles triangles = needles(60);
+  const BruteForce oracle(triangles.set());
+  const KdTree split(triangles.set(), {.triangle_cost = 10.0, .cut = KdCut::split});
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Triangle t = triangles.set()[static_cast<std::uint32_t>(random.below(60))];
+    const glm::dvec3 p = t.a + (t.b - t.a) * random.uniform(), q = t.a + (t.c - t.a) * random.uniform();
+    const Ray ray{p, q - p};
+    CastCounters counters;
+    const RayHit any = oracle.first_hit(ray, {}, counters);
+    if (!any.is_hit()) continue;
+    ++hits;
+    const Interval just{any.t, any.t};
+    CHECK(split.first_hit(ray, {}, counters).triangle == any.triangle);
+    CHECK(split.first_hit(ray, just, counters).triangle == any.triangle);
+  }
+  CHECK(hits > 1000);
+}
 
 TEST_CASE("a rope leads to the smallest subtree that holds all beyond a side of a cell") {
   const RandomTriangles triangles = cloud(300, 0.2);
@@ -102,22 +231,23 @@ TEST_CASE("mailboxes spare a kd-tree the triangles that several cells hold") {
 }
 
 TEST_CASE("a ray by ropes along planes, through cell corners and edges is not lost and ends") {
-  RandomTriangles triangles;  // unit cells whose corners lie on whole numbers
-  for (int i = 0; i < 64; ++i) {
-    const glm::vec3 at(i % 4, i / 4 % 4, i / 16);
-    triangles.add(at, at + glm::vec3(1, 0, 0), at + glm::vec3(0, 1, 1));
-  }
-  KdSettings settings{.step_cost = 0.01, .most_depth = 20, .walk = KdWalk::ropes};
-  const KdTree tree(triangles.set(), settings);
-  const BruteForce oracle(triangles.set());
-  CHECK(tree.nodes().size() > 60);
   int hits = 0;
-  for (int from = 0; from < 125; ++from) {
-    for (int to = 0; to < 125; ++to) {
-      const glm::dvec3 p(from % 5, from / 5 % 5, from / 25), q(to % 5, to / 5 % 5, to / 25);
-      for (const glm::dvec3& back : {glm::dvec3(0.0), (p - q) * 0.5}) {
+  // With a cell of 1 all is exact; others round, so that a corner is met before or after its planes.
+  for (const float cell : {1.0f, 0.1f, 1.0f / 3.0f, 0.7f}) {
+    RandomTriangles triangles;
+    for (int i = 0; i < 64; ++i) {
+      const glm::vec3 at(i % 4, i / 4 % 4, i / 16);
+      triangles.add(at * cell, (at + glm::vec3(1, 0, 0)) * cell, (at + glm::vec3(0, 1, 1)) * cell);
+    }
+    const KdSettings settings{.step_cost = 0.01, .most_depth = 20, .walk = KdWalk::ropes};
+    const KdTree tree(triangles.set(), settings);
+    const BruteForce oracle(triangles.set());
+    CHECK(tree.nodes().size() > 60);
+    for (int from = 0; from < 125; ++from) {
+      for (int to = 0; to < 125; ++to) {
+        const glm::dvec3 p(from % 5, from / 5 % 5, from / 25), q(to % 5, to / 5 % 5, to / 25);
+        const Ray ray{(p + (p - q) * 0.3) * static_cast<double>(cell), (q - p) * 0.37};
         CastCounters counters;
-        const Ray ray{p + back, q - p};
         const RayHit expected = oracle.first_hit(ray, {}, counters);
         const RayHit found = tree.first_hit(ray, {}, counters);
         CHECK(found.triangle == expected.triangle);
