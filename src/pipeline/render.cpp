@@ -119,7 +119,7 @@ void render_part(const PictureWork& work, const Rect& rect, const PictureTarget&
   ShadeInput input{scene, camera, viewing, settings, rect, buffers.executor};
   input.needs_points = target.metric_depth.data != nullptr || target.normal.data != nullptr;
   if (settings.wireframe) {
-    draw_wireframe(scene, viewing, settings, rect, buffers.wireframe);
+    draw_wireframe({scene, viewing, settings, rect, buffers.executor}, buffers.wireframe);
     input.wireframe = &buffers.wireframe.nearest;
   }
   Counters raster_again;  // the geometry is counted once

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "../shading/wireframe.hpp"
 #include "memory_need.hpp"
 
 namespace velum {
@@ -55,8 +54,9 @@ void SampleStage::find_mixed_pixels(VisibilityBuffer& centres) {
   for (int k = 0; k < count_; ++k) {
     draw_(k, input_.rect, buffers_.seen[static_cast<std::size_t>(k)], nullptr);
     if (!has_wires) continue;
-    buffers_.wireframe.sample = sample_positions(count_)[static_cast<std::size_t>(k)];
-    draw_wireframe(input_.scene, input_.viewing, input_.settings, input_.rect, buffers_.wireframe);
+    draw_wireframe({input_.scene, input_.viewing, input_.settings, input_.rect, input_.executor,
+                    sample_positions(count_)[static_cast<std::size_t>(k)]},
+                   buffers_.wireframe);
     for_each_run(false, [&](const Rect& run, MixedRows&, PixelShader& shader) {
       for (int y = run.top; y < run.bottom(); ++y) mark_wires(k, y, shader);
     });
@@ -78,7 +78,8 @@ void SampleStage::mark_wires(int sample, int row, PixelShader& shader) const {
     bool is_seen = true;
     if (const std::uint32_t primitive = seen.primitive.at(x, row); primitive != no_primitive) {
       shader.select(primitive);
-      is_seen = shader.is_wire(x, row, buffers_.wireframe.sample, seen.reversed_depth.at(x, row));
+      is_seen = shader.is_wire(x, row, sample_positions(count_)[static_cast<std::size_t>(sample)],
+                               seen.reversed_depth.at(x, row));
     }
     if (is_seen) wires |= 1u << sample;
   }
@@ -203,17 +204,14 @@ void SampleStage::put_first_layer(int column, int row, std::span<const SampleGro
                                   glm::vec4* samples) const {
   glm::vec4 colours[most_samples];
   std::fill(colours, colours + count_, glm::vec4(0.0f));
-  std::uint32_t covered = 0;
   for (const SampleGroup& group : groups) {
-    covered |= group.samples;
     for (int k = 0; k < count_; ++k) {
       if ((group.samples >> k) & 1u) colours[k] = group.colour;
     }
   }
   const std::uint32_t wires = wires_at(column, row);
   for (int k = 0; k < count_; ++k) {
-    const bool is_covered = ((covered >> k) & 1u) != 0;
-    if ((wires >> k) & 1u) colours[k] = wireframe_ink(is_covered ? colours[k] : background_);
+    if ((wires >> k) & 1u) colours[k] = ink_;
     samples[k] = with_behind(glm::vec4(0.0f), colours[k]);
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "../shading/wireframe.hpp"
 #include "../visibility/sample_positions.hpp"
 #include "sample_resolve.hpp"
 #include "shade_stage.hpp"
@@ -130,6 +131,8 @@ class SampleStage {
   const int count_ = input_.settings.samples;
   const bool may_be_open_;
   const glm::vec4 background_ = linear_from_srgb(input_.settings.background);
+  const glm::vec4 ink_ =
+      input_.settings.wireframe ? wireframe_ink(input_.scene, input_.settings.background) : glm::vec4(0.0f);
 };
 
 /// On all threads, but a custom shader is called on the calling thread only.

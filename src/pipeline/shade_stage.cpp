@@ -4,7 +4,6 @@
 #include <cstring>
 #include <limits>
 
-#include "../shading/wireframe.hpp"
 #include "../visibility/tile_grid.hpp"
 #include "memory_need.hpp"
 
@@ -219,7 +218,7 @@ void ShadeStage::shade_points(const ShadeRun& run, const float* reversed_depths,
   for (int x = run.begin; x < run.end; ++x) {
     const glm::vec4& colour = worker.colours[static_cast<std::size_t>(x - run.begin)];
     const bool is_wire = shader.is_wire(x, run.row, reversed_depths[x]);
-    write_colour(x, run.row, is_wire ? wireframe_ink(colour) : colour, worker);
+    write_colour(x, run.row, is_wire ? ink_ : colour, worker);
   }
 }
 
@@ -240,7 +239,7 @@ void ShadeStage::write_background(const ShadeRun& run) {
   fill(target_.normal, run, glm::vec3(0.0f));
   fill(target_.object_id, run, no_primitive);
   if (input_.wireframe == nullptr || target_.colour.data == nullptr) return;
-  const Rgba8 ink = srgb_from_linear(wireframe_ink(linear_from_srgb(input_.settings.background)));
+  const Rgba8 ink = srgb_from_linear(ink_);
   for (int x = run.begin; x < run.end; ++x) {
     if (input_.wireframe->primitive.at(x, run.row) != no_primitive) target_.colour.at(x, run.row) = ink;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../shading/plain_rows.hpp"
+#include "../shading/wireframe.hpp"
 #include "../visibility/fragment_lists.hpp"
 #include "layer_blend.hpp"
 #include "pixel_shader.hpp"
@@ -88,6 +89,8 @@ class ShadeStage {
   const RowContext rows_;
   const bool needs_surfaces_;
   const ShadePlainRows shade_plain_ = plain_rows_kernel(input_.settings.isa);
+  const glm::vec4 ink_ =
+      input_.wireframe == nullptr ? glm::vec4(0.0f) : wireframe_ink(input_.scene, input_.settings.background);
   LayerBuffers& layers_;
   std::vector<ShadeWorker>& workers_;
   Rect translucent_box_;

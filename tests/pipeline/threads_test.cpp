@@ -200,6 +200,22 @@ TEST_CASE("rounds that end with an instance, and batches of many instances") {
   }
 }
 
+TEST_CASE("a wireframe is the same on any number of threads, over several runs of triangles and bands") {
+  Scene scene = meeting_solids();
+  scene.add(shapes::grid(2.0f, 70), moved({0.0, -0.4, 0.3}));
+  const Camera camera = camera_of(scene);
+  RenderSettings settings = settings_of();
+  settings.wireframe = true;
+  const Picture expected = render(scene, camera, settings);
+  settings.wireframe = false;
+  CHECK_FALSE(same_rows(render(scene, camera, settings).colour, expected.colour));
+  for (const int threads : {2, 7}) {
+    RenderSettings parallel = settings_of(threads, ExecutorKind::std_thread);
+    parallel.wireframe = true;
+    CHECK(same_picture(render(scene, camera, parallel), expected));
+  }
+}
+
 TEST_CASE("threads and instruction sets that cannot be had are errors that say so") {
   const Scene scene = meeting_solids();
   const Camera camera = camera_of(scene);

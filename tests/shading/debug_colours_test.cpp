@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -77,8 +78,27 @@ TEST_CASE("the depth view goes from near white to far dark grey") {
   CHECK(velum::srgb_from_linear(velum::depth_colour(3.0, {3.0, 3.0})).r == 255);
 }
 
-TEST_CASE("the wireframe's ink contrasts with what lies below") {
-  CHECK(velum::wireframe_ink({0.9f, 0.9f, 0.9f, 1.0f}) == glm::vec4(0, 0, 0, 1));
-  CHECK(velum::wireframe_ink({0.01f, 0.02f, 0.03f, 1.0f}) == glm::vec4(1, 1, 1, 1));
-  CHECK(velum::wireframe_ink(glm::vec4(0.0f)) == glm::vec4(0, 0, 0, 1));
+TEST_CASE("the wireframe has one ink, which stands out from the background and every material") {
+  const glm::vec4 black(0, 0, 0, 1), white(1, 1, 1, 1);
+  const velum::Rgba8 clear{0, 0, 0, 0}, dark{8, 8, 8, 255}, light{250, 250, 250, 255};
+  velum::Material material;
+  const auto with = [&](float grey) {
+    material.base_colour = glm::vec3(grey);
+    velum::Scene result;
+    result.add_material(material);
+    return result;
+  };
+  CHECK(velum::wireframe_ink(with(0.8f), clear) == black);
+  CHECK(velum::wireframe_ink(with(0.8f), light) == black);
+  CHECK(velum::wireframe_ink(with(0.01f), clear) == white);
+  CHECK(velum::wireframe_ink(with(0.01f), dark) == white);
+  const glm::vec4 red = velum::wireframe_ink(with(0.8f), dark);
+  CHECK(red != black);
+  CHECK(red != white);
+  CHECK(velum::wireframe_ink(with(0.01f), light) == red);
+  // A board of black and white squares, each larger than the parts that are looked at.
+  velum::Image<velum::Rgba8> board(64, 64, velum::Rgba8{255, 255, 255, 255});
+  for (int y = 0; y < 32; ++y) std::fill_n(board.row(y), 32, velum::Rgba8{0, 0, 0, 255});
+  material.texture = std::make_shared<const velum::Texture>(board);
+  CHECK(velum::wireframe_ink(with(1.0f), clear) == red);
 }
