@@ -62,7 +62,11 @@ int run_check(const Options& options) {
   rows.insert(rows.end(), figures.depth_only.begin(), figures.depth_only.end());
   print(table_of(rows), options);
   print_limits(figures.limits, options);
-  const std::vector<Verdict> verdicts = verdicts_on(figures);
+  std::vector<Verdict> verdicts = verdicts_on(figures);
+  const RayFigures rays = measure_ray_scenes(options);
+  const std::vector<Verdict> on_rays = verdicts_on(rays);
+  verdicts.insert(verdicts.end(), on_rays.begin(), on_rays.end());
+  print(table_of(rays.rows), options);
   print(table_of(verdicts), options);
   write_text(options.out / "check.csv", csv_of(rows));
   write_text(options.out / "check.svg", bar_chart_of(figures.frames, circumstances(options)));

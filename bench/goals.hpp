@@ -44,6 +44,21 @@ inline constexpr std::array<OcclusionGoal, 4> occlusion_goals{{{"bunny", 3.1, 42
 inline constexpr double wanted_speedup = 1.7;  ///< of two threads
 inline constexpr std::array<std::string_view, 2> speedup_scenes{"sponza", "bunny16"};
 
+/// What velum's ray casting set out to reach: the time of Embree's scenes with RTC_SCENE_FLAG_ROBUST /
+/// velum's, one thread each; `what` as in RayRow.
+struct RayGoal {
+  std::string_view what;
+  double wanted;
+};
+inline constexpr std::array<RayGoal, 5> ray_goals{{{"primary, packets", 0.8},
+                                                   {"primary, single", 1.0},
+                                                   {"incoherent", 0.8},
+                                                   {"shadow", 0.8},
+                                                   {"build", 0.5}}};
+inline constexpr double wanted_ray_speedup = 1.8;        ///< of two threads
+inline constexpr double most_bytes_per_triangle = 70.0;  ///< of the structure, on memory_scene
+inline constexpr double least_same_hits = 0.99;          ///< share of rays that hit what Embree's hit
+
 inline constexpr double most_memory = 150e6;  ///< bytes beyond the scene
 inline constexpr std::string_view memory_scene = "bunny16";
 

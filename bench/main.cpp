@@ -22,6 +22,7 @@ int run(const Options& options) {
   if (options.is_memory_here) return print_memory_here(options);
   if (options.is_limits) return run_limits(options);
   if (options.is_growth) return run_growth(options);
+  if (options.is_rays) return run_rays(options);
   if (options.is_check) return run_check(options);
   return run_frames(options);
 }

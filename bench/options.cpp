@@ -42,8 +42,11 @@ void add_tasks(CLI::App& program, Options& options) {
   auto* growth = program.add_flag("--growth", options.is_growth,
                                   "How time grows with triangles and with pixels, with fitted exponents");
   auto* limits = program.add_flag("--limits", options.is_limits, "Only what the machine itself can do");
-  check->excludes(growth)->excludes(limits);
-  growth->excludes(limits);
+  auto* rays = program.add_flag("--rays", options.is_rays,
+                                "Only casting rays, one thread, processor time, with Embree beside it");
+  check->excludes(growth)->excludes(limits)->excludes(rays);
+  growth->excludes(limits)->excludes(rays);
+  limits->excludes(rays);
   program.add_flag("--memory-here", options.is_memory_here)->group("");
 }
 
@@ -104,7 +107,7 @@ ParsedOptions parse_options(int argc, char** argv) {
                  "velum-bench: --cpu-time sums all threads up; it says something with --threads 1 only\n");
     return {{}, 2};
   }
-  if (options.is_check) options.measure.velum.threads = 1;
+  if (options.is_check || options.is_rays) options.measure.velum.threads = 1;
   options.measure.has_peer = !options.is_alone;
   return {options, 0};
 }

@@ -18,6 +18,7 @@ struct Options {
   bool is_check = false;
   bool is_growth = false;
   bool is_limits = false;
+  bool is_rays = false;
   bool is_memory_here = false;  ///< the child of number_from_child()
   bool is_cpu_time = false;
   bool is_markdown = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "options.hpp"
+#include "ray_measure.hpp"
 #include "table.hpp"
 
 namespace velum_bench {
@@ -14,6 +15,10 @@ int run_frames(const Options& options);
 int run_check(const Options& options);
 /// Time over triangles and over pixels.
 int run_growth(const Options& options);
+/// Casting rays, with Embree beside it; a line per goal.
+int run_rays(const Options& options);
+/// Its part of the check. Scenes whose files are not there are left out.
+RayFigures measure_ray_scenes(const Options& options);
 /// What the machine itself can do.
 int run_limits(const Options& options);
 

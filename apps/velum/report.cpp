@@ -17,6 +17,7 @@ Json by_plane(const std::uint64_t (&counts)[clip_plane_count]) {
 
 Json counters_json(const Counters& c) {
   return {{"instances", c.instances},
+          {"instances_beside", c.instances_beside},
           {"vertices", c.vertices},
           {"triangles", c.triangles},
           {"not_finite", c.not_finite},

@@ -20,6 +20,7 @@ HierarchyCounters& HierarchyCounters::operator+=(const HierarchyCounters& other)
 
 Counters& Counters::operator+=(const Counters& other) {
   instances += other.instances;
+  instances_beside += other.instances_beside;
   vertices += other.vertices;
   triangles += other.triangles;
   segments += other.segments;

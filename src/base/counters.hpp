@@ -9,7 +9,8 @@ namespace velum {
 /// What happened while a picture was made. Deterministic for given settings, whatever the thread count.
 /// Units: things counted (no times).
 struct Counters {
-  std::uint64_t instances = 0;
+  std::uint64_t instances = 0;         ///< drawn
+  std::uint64_t instances_beside = 0;  ///< left out, with all they have: their boxes lie beside the crop
   std::uint64_t vertices = 0;          ///< vertices transformed, counted once per instance
   std::uint64_t triangles = 0;         ///< triangles that entered the pipeline
   std::uint64_t segments = 0;          ///< segments that entered the pipeline

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../base/error.hpp"
+#include "crop_rejection.hpp"
 #include "line_stages.hpp"
 
 namespace velum {
@@ -70,8 +71,12 @@ void Frame::draw_lines(const Mesh& mesh, std::uint32_t first_primitive) {
 void Frame::draw_instance(std::uint32_t index) {
   const Instance& instance = scene.instances()[index];
   const Mesh& mesh = scene.meshes()[instance.mesh];
-  transform_vertices(mesh.positions.span(), viewing.clip_from_object(instance.world_from_object),
-                     buffers.vertices);
+  const glm::dmat4 clip_from_object = viewing.clip_from_object(instance.world_from_object);
+  if (is_beside(scene, index, clip_from_object, settings, within)) {
+    ++counters.instances_beside;
+    return;
+  }
+  transform_vertices(mesh.positions.span(), clip_from_object, buffers.vertices);
   ++counters.instances;
   counters.vertices += mesh.positions.size();
   draw_triangles(mesh, scene.first_primitive(index), is_mirroring(instance.world_from_object));
@@ -105,7 +110,8 @@ void Frame::draw_scene() {
   const std::function<void(double)> progress = [this](double drawn) {
     report_progress(settings, progress_from + (progress_to - progress_from) * drawn);
   };
-  const TileStageInput input{scene, viewing, settings, rect, buffers.executor, progress, sample, sink};
+  const TileStageInput input{scene,    viewing, settings, rect,  buffers.executor,
+                             progress, sample,  sink,     within};
   if (is_for_tiles()) {
     draw_in_tiles(input, buffers.tiles, buffers.visibility, counters);
     return;

@@ -49,6 +49,7 @@ struct Frame {
   FragmentLists* lists = nullptr;  ///< where given, all fragments go there and none to the visibility buffer
   SamplePosition sample = pixel_centre;  ///< where in the pixels visibility is decided
   const TileSink* sink = nullptr;        ///< see TileStageInput; only if is_for_tiles()
+  Rect within = rect;                    ///< instances that lie beside this are left out; holds `rect`
   double progress_from = 0.0;
   double progress_to = 0.8;
 

@@ -42,14 +42,14 @@ void shade_behind(Frame frame, const Rect& wanted, std::uint64_t memory, ShadeSt
   hide_opaque_pixels(frame.buffers.visibility, frame.buffers.layers.is_translucent);
   lists.begin_counting(frame.buffers.visibility, frame.rect, wanted);
   frame.lists = &lists;
-  frame.rect = wanted;
+  frame.rect = frame.within = wanted;
   frame.progress_from = frame.progress_to;
   frame.progress_to = 0.82;
   frame.draw_scene();
   const std::vector<Rect>& parts = lists.parts(most_fragments(frame.scene, memory));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     lists.begin_storing(parts[i]);
-    frame.rect = parts[i];
+    frame.rect = frame.within = parts[i];
     frame.progress_from = frame.progress_to;
     frame.progress_to = 0.82 + 0.18 * static_cast<double>(i + 1) / static_cast<double>(parts.size());
     frame.draw_scene();
@@ -111,9 +111,12 @@ void draw_first_layer(Frame frame, ShadeStage& stage) {
 }
 
 /// Everything there is to do for a part of the picture.
-void render_part(const PictureWork& work, const Rect& rect, const PictureTarget& target, Counters& counters) {
+/// @param within  the instances that lie beside this are counted as such; holds `rect`
+void render_part(const PictureWork& work, const Rect& rect, const Rect& within, const PictureTarget& target,
+                 Counters& counters) {
   const auto& [buffers, scene, camera, viewing, settings, memory] = work;
   Frame centres{scene, settings, viewing, rect, buffers, counters};
+  centres.within = within;
   const bool has_samples = settings.samples > 1 && target.colour.data != nullptr;
   if (has_samples) centres.progress_to = 0.8 / (settings.samples + 1);
   ShadeInput input{scene, camera, viewing, settings, rect, buffers.executor};
@@ -147,7 +150,7 @@ void render_part(const PictureWork& work, const Rect& rect, const PictureTarget&
 void render_bands(const PictureWork& work, const Rect& rect, const PictureTarget& target,
                   Counters& counters) {
   const int most = sample_band_height(work.scene, work.settings, rect);
-  if (most == rect.height) return render_part(work, rect, target, counters);
+  if (most == rect.height) return render_part(work, rect, rect, target, counters);
   for (int top = 0; top < rect.height; top += most) {
     const int height = std::min(most, rect.height - top);
     RenderSettings settings = work.settings;
@@ -155,8 +158,8 @@ void render_bands(const PictureWork& work, const Rect& rect, const PictureTarget
       return !work.settings.progress || work.settings.progress((top + share * height) / rect.height);
     };
     Counters of_band;
-    render_part(work.with(settings), {rect.left, rect.top + top, rect.width, height},
-                target.rows(top, height), of_band);
+    const Rect band{rect.left, rect.top + top, rect.width, height};
+    render_part(work.with(settings), band, top == 0 ? rect : band, target.rows(top, height), of_band);
     top == 0 ? counters = of_band : counters += of_band.of_pixels();
   }
 }
@@ -170,7 +173,7 @@ void render_supersampled(const PictureWork& work, const Rect& rect, const Pictur
   plain.progress = [&settings](double share) { return !settings.progress || settings.progress(0.1 * share); };
   PictureTarget without_colour = target;
   without_colour.colour = {};
-  render_part(work.with(plain), rect, without_colour, counters);
+  render_part(work.with(plain), rect, rect, without_colour, counters);
   if (target.colour.data == nullptr) return;
   RenderSettings larger = enlarged(settings);
   const RenderColour render = [&](const Rect& part, const ImageView<Rgba8>& colour, double from, double to) {

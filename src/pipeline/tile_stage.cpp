@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "../visibility/tile_transfer.hpp"
+#include "crop_rejection.hpp"
 
 namespace velum {
 namespace {
@@ -57,6 +58,10 @@ class TileStage {
   /// Puts an instance's primitives into batches; a full round is drawn.
   void add_instance(std::uint32_t instance) {
     const Mesh& mesh = input_.scene.meshes()[input_.scene.instances()[instance].mesh];
+    if (is_beside(input_.scene, instance, clip_from_object_of(instance), input_.settings, input_.within)) {
+      ++counters_.instances_beside;
+      return;
+    }
     ++counters_.instances;
     counters_.vertices += mesh.positions.size();
     const std::uint64_t primitives = mesh.triangles.size() + mesh.segments.size() + mesh.points.size();
@@ -102,9 +107,12 @@ class TileStage {
     return batch;
   }
 
+  glm::dmat4 clip_from_object_of(std::uint32_t instance) const {
+    return input_.viewing.clip_from_object(input_.scene.instances()[instance].world_from_object);
+  }
+
   void transform(std::uint32_t instance, const Mesh& mesh, PlacedVertices& out) {
-    out.clip_from_object =
-        input_.viewing.clip_from_object(input_.scene.instances()[instance].world_from_object);
+    out.clip_from_object = clip_from_object_of(instance);
     const std::span<const glm::vec3> positions = mesh.positions.span();
     out.placed.resize(positions.size());
     input_.executor.for_each((positions.size() + vertex_chunk - 1) / vertex_chunk, [&](std::size_t i, int) {

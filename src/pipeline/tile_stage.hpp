@@ -41,6 +41,7 @@ struct TileStageInput {
   /// Where given, finished tiles go there while they are in cache, and what the buffer holds afterwards is
   /// nobody's concern.
   const TileSink* sink = nullptr;
+  Rect within = rect;  ///< instances that lie beside this are left out; holds `rect`
 };
 
 /// Bytes that a round of the stage takes, as a rule: the vertices of its instances, and its primitives sorted

@@ -60,6 +60,8 @@ class Scene {
   /// The world box around all finite vertices of all instances (around their transformed vertices, not their
   /// transformed boxes).
   Aabb bounds() const;
+  /// The box around a mesh's finite positions, object space. @pre mesh < meshes().size()
+  const Aabb& mesh_bounds(std::uint32_t mesh) const { return mesh_bounds_[mesh]; }
   /// World points whose convex hull holds the scene: every vertex, or, beyond 2^22 vertices in all, the
   /// corners of each instance's box. For frame().
   std::vector<glm::dvec3> points() const;
