@@ -113,10 +113,10 @@ RayExplanation explain_ray(const Scene& scene, const Camera& camera, const Rende
   result.hit = view.at(x + 0.5, y + 0.5, result.counters);
   CastCounters not_reported;
   caster.all_hits(result.ray.ray, result.ray.range, not_reported, result.hits, view.filter());
-  if (settings.accelerator == AcceleratorKind::bvh) {
+  if (settings.accelerator == AcceleratorKind::binary_bvh) {
     result.traversal = Recorder(caster, view, result.ray).run();
   } else {
-    const SceneCaster by_boxes(scene, AcceleratorKind::bvh);
+    const SceneCaster by_boxes(scene, AcceleratorKind::binary_bvh);
     result.traversal = Recorder(by_boxes, view, result.ray).run();
   }
   return result;

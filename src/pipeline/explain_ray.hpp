@@ -38,7 +38,7 @@ struct RayExplanation {
   ViewRay ray;                     ///< world space; t from 0 (near plane) to 1 (far plane), see CameraRays
   SceneHit hit;                    ///< what is seen
   std::vector<SceneHit> hits;      ///< everything on the way, nearest first; culled triangles left out
-  std::vector<RayStep> traversal;  ///< to the first hit, with AcceleratorKind::bvh
+  std::vector<RayStep> traversal;  ///< to the first hit, with AcceleratorKind::binary_bvh
   CastCounters counters;           ///< of the first hit, with the settings' accelerator
 };
 

@@ -79,6 +79,7 @@ void Accelerator::all_hits(const Ray& ray, const Interval& range, CastCounters& 
 std::span<const AcceleratorName> accelerator_names() {
   static constexpr std::array names{
       AcceleratorName{"bvh", AcceleratorKind::bvh},
+      AcceleratorName{"binary-bvh", AcceleratorKind::binary_bvh},
       AcceleratorName{"kdtree", AcceleratorKind::kd_tree},
       AcceleratorName{"grid", AcceleratorKind::grid},
       AcceleratorName{"nested-grid", AcceleratorKind::nested_grid},

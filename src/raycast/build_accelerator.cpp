@@ -5,6 +5,7 @@
 #include "grid.hpp"
 #include "kd_tree.hpp"
 #include "octree_caster.hpp"
+#include "wide_bvh.hpp"
 
 namespace velum {
 
@@ -22,10 +23,12 @@ std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const Trian
       return std::make_unique<OctreeCaster>(triangles);
     case AcceleratorKind::bsp:
       return std::make_unique<BspTree>(triangles);
+    case AcceleratorKind::binary_bvh:
+      return std::make_unique<Bvh>(triangles);
     case AcceleratorKind::bvh:
       break;
   }
-  return std::make_unique<Bvh>(triangles);
+  return std::make_unique<WideBvh>(triangles);
 }
 
 }  // namespace velum

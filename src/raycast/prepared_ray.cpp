@@ -28,9 +28,12 @@ double bounded_inverse(double v) {
   return v < 0.0 ? -largest : largest;
 }
 
+/// No branch: the axis of one ray tells nothing about the next one's.
 int longest_axis(const glm::dvec3& v) {
-  const glm::dvec3 size(std::fabs(v.x), std::fabs(v.y), std::fabs(v.z));
-  return size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+  const bool is_x = x > y;
+  const bool is_z = !(std::max(x, y) > z);
+  return is_z ? 2 : 1 - static_cast<int>(is_x);
 }
 
 }  // namespace
@@ -43,11 +46,12 @@ PreparedRay::PreparedRay(const Ray& ray_in, const Interval& range_in, const Aabb
   behind = ray.origin - margin;
   for (int axis = 0; axis < 3; ++axis) inverse[axis] = bounded_inverse(ray.direction[axis]);
   kz = longest_axis(ray.direction);
-  kx = (kz + 1) % 3;
-  ky = (kx + 1) % 3;
-  shear_x = ray.direction[kx] / ray.direction[kz];
-  shear_y = ray.direction[ky] / ray.direction[kz];
-  scale_z = 1.0 / ray.direction[kz];
+  constexpr int next[3] = {1, 2, 0};
+  kx = next[kz];
+  ky = next[kx];
+  scale_z = inverse[kz];
+  shear_x = ray.direction[kx] * scale_z;
+  shear_y = ray.direction[ky] * scale_z;
 }
 
 }  // namespace velum

@@ -4,8 +4,8 @@
 
 namespace velum {
 
-std::optional<TriangleHit> Search::intersect_triangle(std::uint32_t triangle) const {
-  return intersect_watertight(ray, triangles_[triangle]);
+void Search::decide(std::uint32_t triangle, const Triangle& corners) {
+  if (const auto found = intersect_watertight(ray, corners)) take({found->t, triangle, found->barycentric});
 }
 
 void Search::take(const RayHit& found) {

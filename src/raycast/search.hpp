@@ -43,11 +43,12 @@ class Search {
 
   void test(std::uint32_t triangle) {
     ++counters.tests;
-    if (const auto found = intersect_triangle(triangle)) take({found->t, triangle, found->barycentric});
+    decide(triangle, triangles_[triangle]);
   }
+  /// The same with the triangle's corners at hand; counts nothing.
+  void decide(std::uint32_t triangle, const Triangle& corners);
 
  private:
-  std::optional<TriangleHit> intersect_triangle(std::uint32_t triangle) const;
   void take(const RayHit& found);
 
   const TriangleSet& triangles_;

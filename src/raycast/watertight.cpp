@@ -15,9 +15,11 @@ struct SeenVertex {
   double x, y, z;
 };
 
-SeenVertex seen(const PreparedRay& ray, const glm::dvec3& vertex) {
-  const glm::dvec3 v = vertex - ray.ray.origin;
-  return {v[ray.kx] - ray.shear_x * v[ray.kz], v[ray.ky] - ray.shear_y * v[ray.kz], ray.scale_z * v[ray.kz]};
+inline SeenVertex seen(const PreparedRay& ray, const glm::dvec3& vertex) {
+  const double x = vertex[ray.kx] - ray.ray.origin[ray.kx];
+  const double y = vertex[ray.ky] - ray.ray.origin[ray.ky];
+  const double z = vertex[ray.kz] - ray.ray.origin[ray.kz];
+  return {x - ray.shear_x * z, y - ray.shear_y * z, ray.scale_z * z};
 }
 
 int sign(double v) {

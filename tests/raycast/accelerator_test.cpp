@@ -11,6 +11,7 @@
 #include "raycast/grid.hpp"
 #include "raycast/kd_tree.hpp"
 #include "raycast/octree_caster.hpp"
+#include "raycast/wide_bvh.hpp"
 
 using namespace velum;
 
@@ -33,6 +34,9 @@ std::vector<Built> build_all(const TriangleSet& triangles) {
     settings.split = split;
     all.push_back(
         {"bvh, rule " + std::to_string(static_cast<int>(split)), std::make_unique<Bvh>(triangles, settings)});
+  }
+  for (const Isa isa : available_isas()) {
+    all.push_back({std::string("bvh, ") + name_of(isa), std::make_unique<WideBvh>(triangles, isa)});
   }
   all.push_back({"octree, kept",
                  std::make_unique<OctreeCaster>(triangles, OctreeOptions{OctreePlacement::kept, 2, 20})});

@@ -26,6 +26,7 @@ TEST_CASE("a ray is explained as it is cast: same hit, in order, and the nearest
   settings.height = 30;
   settings.shading = Shading::triangle_id;
   settings.visibility = VisibilityMethod::raycast;
+  settings.accelerator = AcceleratorKind::binary_bvh;
   int hits = 0;
   for (const Cull cull : {Cull::none, Cull::back}) {
     settings.cull = cull;
