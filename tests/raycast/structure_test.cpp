@@ -1,13 +1,17 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "random_scenes.hpp"
+#include "raycast/bounded_brute_force.hpp"
 #include "raycast/bsp_tree.hpp"
 #include "raycast/bvh.hpp"
 #include "raycast/grid.hpp"
 #include "raycast/kd_tree.hpp"
+#include "spatial/convex_hull.hpp"
 
 using namespace velum;
 
@@ -157,4 +161,50 @@ TEST_CASE("a point of a bsp tree is found in one cell, the same all over the cel
     for (int k = 0; k < 10; ++k) CHECK(tree.cell_of(corner * random.uniform(0.01, 1.0)) == cell);
   }
   CHECK(cells.size() == 8);
+}
+
+TEST_CASE("lines meet one bounding volume inside another as often as their areas say") {
+  RandomTriangles triangles = small_triangles(200, 0.1);
+  for (glm::vec3& p : triangles.positions) p = glm::vec3(p.x, 0.3f * p.y + 0.8f * p.x, 0.5f * p.z);
+  Aabb bounds;
+  for (const glm::vec3& p : triangles.positions) bounds.include(glm::dvec3(p));
+  const double radius = 0.5 * glm::length(bounds.size());
+  for (const VolumeName& name : volume_names()) {
+    if (name.kind == VolumeKind::convex_hull && !has_convex_hull()) continue;
+    CAPTURE(std::string(name.name));
+    const BoundingVolume volume = bounding_volume(name.kind, triangles.positions);
+    // Lines in every direction through every place of a disc across it that hides all.
+    Random random{34};
+    int met = 0;
+    constexpr int lines = 20000;
+    const double reach = 1.5 * radius;
+    for (int i = 0; i < lines; ++i) {
+      glm::dvec3 direction(0.0);
+      do direction = random_point(random);
+      while (glm::dot(direction, direction) > 1.0 || glm::dot(direction, direction) < 0.01);
+      const glm::dvec3 n = glm::normalize(direction);
+      const glm::dvec3 other = std::fabs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+      const glm::dvec3 u = glm::normalize(glm::cross(n, other)), v = glm::cross(n, u);
+      const glm::dvec3 through =
+          bounds.centre() + u * random.uniform(-reach, reach) + v * random.uniform(-reach, reach);
+      const PreparedRay ray({through - n * (3.0 * radius), direction}, {}, bounds);
+      met += !interval_inside(ray, volume).is_empty();
+    }
+    // A convex volume's shadow has a quarter of its surface, on average over all directions (Cauchy).
+    const double expected = volume.area / 4.0 / (4.0 * reach * reach);
+    CHECK(static_cast<double>(met) / lines == doctest::Approx(expected).epsilon(0.03));
+  }
+}
+
+TEST_CASE("one bounding volume: a ray that misses it costs no test, others all") {
+  const RandomTriangles triangles = small_triangles(50, 0.1);
+  const BoundedBruteForce ball(triangles.set(), VolumeKind::sphere), box(triangles.set(), VolumeKind::aabb);
+  CastCounters by_ball, by_box;
+  const glm::dvec3 corner = box.bounds().upper;
+  const Ray past{{corner.x - 0.01, corner.y - 0.01, 5.0}, {0, 0, -1}};  // inside the box only
+  ball.first_hit(past, {}, by_ball);
+  box.first_hit(past, {}, by_box);
+  CHECK(by_box.tests == 50);
+  CHECK(by_ball.tests ==
+        (interval_inside(PreparedRay(past, {}, box.bounds()), ball.volume()).is_empty() ? 0 : 50));
 }
