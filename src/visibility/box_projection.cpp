@@ -46,10 +46,10 @@ Centres centres_between(double lowest, double highest, int size) {
 struct BoxProjection::Corners {
   glm::dvec4 base, x, y, z;
 
-  /// The largest value of the linear function c·corner over the corners.
-  double largest(const glm::dvec4& c) const {
-    return glm::dot(c, base) + std::max(glm::dot(c, x), 0.0) + std::max(glm::dot(c, y), 0.0) +
-           std::max(glm::dot(c, z), 0.0);
+  /// The largest value of a linear function f(v) of the corners.
+  template <typename Function>
+  double largest(const Function& f) const {
+    return f(base) + std::max(f(x), 0.0) + std::max(f(y), 0.0) + std::max(f(z), 0.0);
   }
   void coordinate(int axis, double (&out)[8]) const {
     const double b = base[axis];
@@ -84,10 +84,13 @@ void BoxProjection::estimate_rounding(const glm::dmat4& magnitudes, const Aabb& 
 
 bool BoxProjection::is_outside(const Corners& corners) const {
   const glm::dvec4& e = rounding_;
-  const glm::dvec4 x(1.0, 0.0, 0.0, 0.0), y(0.0, 1.0, 0.0, 0.0), z(0.0, 0.0, 1.0, 0.0), w(0.0, 0.0, 0.0, 1.0);
-  return corners.largest(w + x) < -(e.w + e.x) || corners.largest(w - x) < -(e.w + e.x) ||
-         corners.largest(w + y) < -(e.w + e.y) || corners.largest(w - y) < -(e.w + e.y) ||
-         corners.largest(z) < -e.z || corners.largest(w - z) < -(e.w + e.z);
+  using Vector = const glm::dvec4&;
+  return corners.largest([](Vector v) { return v.w + v.x; }) < -(e.w + e.x) ||
+         corners.largest([](Vector v) { return v.w - v.x; }) < -(e.w + e.x) ||
+         corners.largest([](Vector v) { return v.w + v.y; }) < -(e.w + e.y) ||
+         corners.largest([](Vector v) { return v.w - v.y; }) < -(e.w + e.y) ||
+         corners.largest([](Vector v) { return v.z; }) < -e.z ||
+         corners.largest([](Vector v) { return v.w - v.z; }) < -(e.w + e.z);
 }
 
 BoxOnPicture BoxProjection::bounds_of(const Corners& corners, double smallest_w) const {
@@ -140,7 +143,7 @@ BoxOnPicture BoxProjection::operator()(const OrientedBox& box) const {
 
 BoxOnPicture BoxProjection::judge(const Corners& corners) const {
   if (is_outside(corners)) return {true, {}, 0.0f};
-  const double smallest_w = -corners.largest({0.0, 0.0, 0.0, -1.0});
+  const double smallest_w = -corners.largest([](const glm::dvec4& v) { return -v.w; });
   // So far from the eye that the roundings are small beside w; not so if anything is not a number.
   constexpr double many = 1048576.0;
   const bool is_bounded = smallest_w > 0.0 && smallest_w > many * rounding_.w;

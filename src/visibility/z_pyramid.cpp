@@ -1,6 +1,7 @@
 #include "z_pyramid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <type_traits>
 
 namespace velum {
@@ -32,6 +33,33 @@ struct PlaneBound {
   }
 };
 
+/// The cells of one level that hold a rectangle, ends included.
+struct Cells {
+  int left, top, right, bottom;
+
+  bool is_empty() const { return left > right || top > bottom; }
+  int count() const { return (right - left + 1) * (bottom - top + 1); }
+};
+Cells cells_around(const Rect& rect, int level) {
+  return {rect.left >> level, rect.top >> level, (rect.right() - 1) >> level, (rect.bottom() - 1) >> level};
+}
+/// Those that lie wholly inside it.
+Cells cells_within(const Rect& rect, int level) {
+  const int most = (1 << level) - 1;
+  return {(rect.left + most) >> level, (rect.top + most) >> level, (rect.right() >> level) - 1,
+          (rect.bottom() >> level) - 1};
+}
+
+bool are_all_nearer(const ImageView<const float>& level, const Cells& cells, float bound) {
+  for (int y = cells.top; y <= cells.bottom; ++y) {
+    const float* const row = level.row(y);
+    float farthest = row[cells.left];
+    for (int x = cells.left + 1; x <= cells.right; ++x) farthest = std::min(farthest, row[x]);
+    if (!(bound < farthest)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 /// The way of one question down the levels.
@@ -41,20 +69,10 @@ class ZPyramid::Descent {
   Descent(const ZPyramid& pyramid, const Rect& rect, const Bound& bound)
       : pyramid_(pyramid), rect_(rect), bound_(bound), answer_{true, pyramid.coarsest_} {}
 
-  PyramidAnswer go() {
-    int level = pyramid_.coarsest_;
-    const int right = rect_.right() - 1, bottom = rect_.bottom() - 1;
-    // As long as one cell holds it, without the general case's comparisons.
-    const auto is_in_one_cell = [&] {
-      return rect_.left >> level == right >> level && rect_.top >> level == bottom >> level;
-    };
-    const float nearest = bound_(rect_);
-    for (; level > 0 && is_in_one_cell(); --level) {
-      if (nearest < pyramid_.value(level, rect_.left >> level, rect_.top >> level)) return {true, level};
-    }
+  PyramidAnswer go(int level) {
     answer_.level = level;
-    answer_.is_hidden = cells_are_hidden(level, rect_.left >> level, rect_.top >> level,
-                                         (rect_.right() - 1) >> level, (rect_.bottom() - 1) >> level);
+    const Cells cells = cells_around(rect_, level);
+    answer_.is_hidden = cells_are_hidden(level, cells.left, cells.top, cells.right, cells.bottom);
     return answer_;
   }
 
@@ -135,10 +153,41 @@ void ZPyramid::find_coarsest() {
 }
 
 template <typename Bound>
+PyramidAnswer ZPyramid::below(const Rect& rect, const Bound& bound, int first) const {
+  return Descent<Bound>(*this, rect, bound).go(first);
+}
+
+/// Few cells are sooner looked at all than one by one where it is undecided.
+template <>
+PyramidAnswer ZPyramid::below(const Rect& rect, const ConstantBound& bound, int first) const {
+  constexpr int many = 64;
+  for (int i = first; i >= 0; --i) {
+    const Cells cells = cells_around(rect, i);
+    if (cells.count() > many) return Descent<ConstantBound>(*this, rect, bound).go(i);
+    if (are_all_nearer(level(i), cells, bound.depth)) return {true, i};
+    const Cells within = cells_within(rect, i);
+    if (!within.is_empty() && !are_all_nearer(level(i), within, bound.depth)) return {false, i};
+  }
+  return {false, 0};
+}
+
+template <typename Bound>
 PyramidAnswer ZPyramid::descend(const Rect& rect, const Bound& bound) const {
   const Rect seen = intersect(rect, {0, 0, base_.width, base_.height});
   if (seen.is_empty()) return {true, levels() - 1};
-  return Descent<Bound>(*this, seen, bound).go();
+  // The finest level with a cell that holds all of it: where that cell is too far, those above are, too.
+  const int differing = (seen.left ^ (seen.right() - 1)) | (seen.top ^ (seen.bottom() - 1));
+  const int one_cell = static_cast<int>(std::bit_width(static_cast<unsigned>(differing)));
+  const auto is_hidden_at = [&, nearest = bound(seen)](int i) {
+    return nearest < value(i, seen.left >> i, seen.top >> i);
+  };
+  if (one_cell <= coarsest_ && is_hidden_at(one_cell)) {
+    int level = coarsest_;
+    while (!is_hidden_at(level)) --level;
+    return {true, level};
+  }
+  if (one_cell == 0) return {false, 0};
+  return below(seen, bound, std::min(one_cell - 1, coarsest_));
 }
 
 PyramidAnswer ZPyramid::is_hidden(const Rect& rect, float bound) const {

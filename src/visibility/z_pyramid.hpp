@@ -62,6 +62,8 @@ class ZPyramid {
   class Descent;
   template <typename Bound>
   PyramidAnswer descend(const Rect& rect, const Bound& bound) const;
+  template <typename Bound>
+  PyramidAnswer below(const Rect& rect, const Bound& bound, int first) const;
   void find_coarsest();
   float value(int level, int x, int y) const {
     return level == 0 ? base_.at(x, y) : above_[static_cast<std::size_t>(level) - 1].at(x, y);
