@@ -10,7 +10,7 @@
 
 namespace velum {
 
-/// Clusters that are to be drawn, of one mesh placed in the scene after the other.
+/// Clusters that are to be drawn, of one mesh placed in the scene after the other, each one's in their order.
 struct ClusterBatch {
   struct PlacedMesh {
     std::uint32_t instance = 0;
@@ -109,8 +109,8 @@ class TiledClusters : public ClusterDrawer {
   using Worker = TiledClusterBuffers::Worker;
   void make_groups(const ClusterBatch& batch);
   void set_up_group(const ClusterBatch& batch, Group& group, Worker& worker) const;
-  void set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster, Group& group,
-                      Worker& worker) const;
+  void set_up_clusters(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
+                       const MeshCluster& cluster, Group& group, Worker& worker) const;
   void leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const;
   void draw_tile(std::size_t tile, Worker& worker) const;
   void publish_tile(std::size_t tile, int last_level) const;

@@ -6,6 +6,7 @@
 
 #include "../visibility/cone_culling.hpp"
 #include "../visibility/depth_format.hpp"
+#include "visible_clusters.hpp"
 
 namespace velum {
 namespace {
@@ -15,11 +16,13 @@ namespace {
 constexpr std::uint64_t smallest_batch = 1 << 15;
 constexpr std::uint64_t largest_batch = 1 << 18;
 constexpr std::uint64_t batches_of_scene = 32;
-/// Triangles of remembered clusters that are drawn in one go: bounds the memory.
+/// Triangles drawn in one go where what was seen before is remembered, so that the pyramid hardly changes
+/// after that: bounds the memory.
 constexpr std::uint64_t remembered_batch = 1 << 20;
 
-std::uint64_t batch_size_for(const Scene& scene, const RenderSettings& settings) {
+std::uint64_t batch_size_for(const Scene& scene, const RenderSettings& settings, bool remembers) {
   if (settings.hierarchy.batch_size != 0) return settings.hierarchy.batch_size;
+  if (remembers) return remembered_batch;
   return std::clamp<std::uint64_t>(scene.primitive_count() / batches_of_scene, smallest_batch, largest_batch);
 }
 
@@ -69,7 +72,7 @@ class HierarchicalStage {
         drawer_(drawer),
         counters_(counters),
         records_(records),
-        batch_size_(batch_size_for(input.scene, input.settings)) {}
+        batch_size_(batch_size_for(input.scene, input.settings, buffers.remembers)) {}
 
   void draw() {
     buffers_.batch.clear();
@@ -78,7 +81,8 @@ class HierarchicalStage {
     draw_remembered();
     draw_placeless();
     walk_scene();
-    flush();
+    // Few triangles hide little that was not hidden before.
+    if (!buffers_.remembers || buffers_.batch.triangles >= smallest_batch) flush();
     draw_postponed();
     flush();
   }
@@ -87,7 +91,7 @@ class HierarchicalStage {
   // Batches.
 
   void add(PlacedOctree& placed, std::uint32_t cluster) {
-    const auto triangles = placed.octree.cluster(cluster).triangles.size();
+    const auto triangles = placed.octree.triangle_count(cluster);
     if (triangles == 0) return;
     ClusterBatch& batch = buffers_.batch;
     if (placed.in_batch == PlacedOctree::none) {
@@ -101,6 +105,10 @@ class HierarchicalStage {
   }
 
   void draw_batch() {
+    // Those that stand side by side in memory are then drawn as one.
+    std::sort(buffers_.batch.entries.begin(), buffers_.batch.entries.end(), [](const auto& a, const auto& b) {
+      return a.placed != b.placed ? a.placed < b.placed : a.cluster < b.cluster;
+    });
     drawer_.draw(buffers_.batch);
     drawn_ += buffers_.batch.triangles;
     buffers_.batch.clear();
@@ -254,7 +262,7 @@ class HierarchicalStage {
     }
   }
 
-  /// Clusters seen in the frame before, unless they are outside now; those are forgotten.
+  /// Clusters seen in the frame before. Those of an instance that is outside now are forgotten.
   void draw_remembered() {
     if (!buffers_.remembers) return;
     for (std::uint32_t i = 0; i < input_.scene.instances().size(); ++i) {
@@ -264,6 +272,10 @@ class HierarchicalStage {
       auto next = std::find(first, end, 1);
       if (next == end) continue;
       PlacedOctree placed(input_, octrees_, i);
+      if (!look_at(placed.projection, {placed.octree.nodes(), &placed.octree}, 0, i)) {
+        std::fill(next, end, std::uint8_t{0});
+        continue;
+      }
       for (; next != end; next = std::find(next + 1, end, 1)) {
         *next = draw_again(placed, static_cast<std::uint32_t>(next - first)) ? 1 : 0;
         if (buffers_.batch.triangles < remembered_batch) continue;
@@ -276,8 +288,6 @@ class HierarchicalStage {
   }
 
   bool draw_again(PlacedOctree& placed, std::uint32_t cluster) {
-    const Nodes nodes{placed.octree.nodes(), &placed.octree};
-    if (!look_at(placed.projection, nodes, cluster, placed.instance)) return false;
     if (faces_away(placed, cluster)) return false;
     ++counters_.hierarchy.clusters_remembered;
     add(placed, cluster);
@@ -328,30 +338,6 @@ class HierarchicalStage {
   bool is_behind_ = false;  ///< the pyramid lags behind what is drawn
 };
 
-/// Marks the clusters that the picture shows.
-void remember(const Scene& scene, const SceneOctrees& octrees, const VisibilityBuffer& buffer,
-              std::vector<std::uint8_t>& is_visible) {
-  is_visible.assign(octrees.cluster_count(), 0);
-  std::uint32_t last = no_primitive, begin = 0, end = 0, instance = 0;
-  for (int y = 0; y < buffer.height(); ++y) {
-    const std::uint32_t* const row = buffer.primitive.row(y);
-    for (int x = 0; x < buffer.width(); ++x) {
-      const std::uint32_t primitive = row[x];
-      if (primitive == last || primitive == no_primitive) continue;
-      last = primitive;
-      if (primitive < begin || primitive >= end) {
-        instance = scene.place(primitive).instance;
-        begin = scene.first_primitive(instance);
-        const Mesh& mesh = scene.meshes()[scene.instances()[instance].mesh];
-        end = begin + static_cast<std::uint32_t>(mesh.triangles.size());
-        if (primitive >= end) continue;  // a segment or point
-      }
-      const MeshOctree& octree = octrees.mesh(scene.instances()[instance].mesh);
-      is_visible[octrees.first_cluster(instance) + octree.cluster_of_triangle()[primitive - begin]] = 1;
-    }
-  }
-}
-
 }  // namespace
 
 void draw_hierarchically(const TileStageInput& input, bool uses_tiles, HierarchicalBuffers& buffers,
@@ -376,7 +362,7 @@ void draw_hierarchically(const TileStageInput& input, bool uses_tiles, Hierarchi
   }
   counters.hierarchy.triangles_left_out += triangles - (counters.triangles - before);
   buffers.remembers = settings.remembers_visible && settings.use != HierarchyUse::polygons;
-  if (buffers.remembers) remember(input.scene, buffers.octrees, buffer, buffers.is_visible);
+  if (buffers.remembers) mark_visible_clusters(input.scene, buffers.octrees, buffer, buffers.is_visible);
 }
 
 }  // namespace velum

@@ -24,10 +24,12 @@ void PlainClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const
   const std::uint32_t first_primitive = scene.first_primitive(placed.instance);
   transform_vertices(cluster.positions, placed.clip_from_object, vertices_);
   input_.counters.vertices += cluster.positions.size();
+  const std::uint32_t first = cluster.first_position;
   for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
     const std::uint32_t* const corner = &cluster.indices[3 * i];
-    const AssembledTriangle triangle = assemble(vertices_, {corner[0], corner[1], corner[2]}, mirrored,
-                                                settings.cull, clip_volume_of(settings), input_.counters);
+    const glm::uvec3 corners{corner[0] - first, corner[1] - first, corner[2] - first};
+    const AssembledTriangle triangle =
+        assemble(vertices_, corners, mirrored, settings.cull, clip_volume_of(settings), input_.counters);
     if (triangle.fate == TriangleFate::accepted || triangle.fate == TriangleFate::to_clip) {
       set_up(triangle, first_primitive + cluster.triangles[i], viewport, input_.counters, screen_triangles_);
     }

@@ -69,7 +69,7 @@ void TiledClusters::make_groups(const ClusterBatch& batch) {
     while (last < count && triangles < group_size) {
       const ClusterBatch::Entry& entry = batch.entries[last++];
       const std::uint32_t mesh = input_.frame.scene.instances()[batch.meshes[entry.placed].instance].mesh;
-      triangles += input_.octrees.mesh(mesh).cluster(entry.cluster).triangles.size();
+      triangles += input_.octrees.mesh(mesh).triangle_count(entry.cluster);
     }
     if (buffers_.used == buffers_.groups.size()) buffers_.groups.emplace_back();
     TiledClusterBuffers::Group& group = buffers_.groups[buffers_.used++];
@@ -84,32 +84,37 @@ void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker
   ScreenPrimitives& primitives = group.primitives;
   primitives.clear();
   primitives.make_room(group.triangles);
-  for (std::uint32_t i = group.first; i < group.last; ++i) {
-    const ClusterBatch::Entry& entry = batch.entries[i];
-    const ClusterBatch::PlacedMesh& placed = batch.meshes[entry.placed];
-    const std::uint32_t mesh = input_.frame.scene.instances()[placed.instance].mesh;
-    set_up_cluster(placed, input_.octrees.mesh(mesh).cluster(entry.cluster), group, worker);
+  for (std::uint32_t i = group.first, end = i; i < group.last; i = end) {
+    const ClusterBatch::Entry& first = batch.entries[i];
+    const ClusterBatch::PlacedMesh& placed = batch.meshes[first.placed];
+    const MeshOctree& octree = input_.octrees.mesh(input_.frame.scene.instances()[placed.instance].mesh);
+    const auto goes_on = [&](const ClusterBatch::Entry& last, const ClusterBatch::Entry& next) {
+      return next.placed == last.placed && octree.are_neighbours(last.cluster, next.cluster);
+    };
+    for (end = i + 1; end < group.last && goes_on(batch.entries[end - 1], batch.entries[end]);) ++end;
+    set_up_clusters(placed, octree, octree.clusters(first.cluster, batch.entries[end - 1].cluster + 1), group,
+                    worker);
   }
   if (input_.tests_polygons) leave_out_hidden(primitives, group.counters.hierarchy);
   group.bins.sort(primitives, grid_);
 }
 
-void TiledClusters::set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster,
-                                   Group& group, Worker& worker) const {
-  if (cluster.triangles.empty()) return;
+void TiledClusters::set_up_clusters(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
+                                    const MeshCluster& cluster, Group& group, Worker& worker) const {
   const RenderSettings& settings = input_.frame.settings;
   const std::size_t vertex_count = cluster.positions.size();
   PlacedVertices& vertices = worker.vertices;
-  if (vertices.placed.size() < vertex_count) vertices.placed.resize(vertex_count);
+  if (vertices.placed.size() < octree.positions().size()) vertices.placed.resize(octree.positions().size());
   vertices.clip_from_object = placed.clip_from_object;
   transform_({&cluster.positions[0].x, vertex_count, glm::value_ptr(vertices.clip_from_object),
-              settings.width, settings.height, nullptr, nullptr, vertices.placed.data()});
+              settings.width, settings.height, nullptr, nullptr,
+              vertices.placed.data() + cluster.first_position});
   group.counters.vertices += vertex_count;
   const Scene& scene = input_.frame.scene;
   set_up_triangles({scene, settings, grid_, set_up_},
                    {cluster.indices.data(), 0, static_cast<std::uint32_t>(cluster.triangles.size()),
                     scene.first_primitive(placed.instance), cluster.triangles.data(),
-                    cluster.positions.data(), vertices.placed.data(), vertices.clip_from_object,
+                    octree.positions().data(), vertices.placed.data(), vertices.clip_from_object,
                     is_mirroring(scene.instances()[placed.instance].world_from_object)},
                    group.primitives, worker.scratch, group.counters);
 }

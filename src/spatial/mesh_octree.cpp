@@ -48,7 +48,7 @@ class MeshOctree::Writer {
     }
     out_.spans_.push_back(span);
     const MeshCluster written = out_.cluster(cluster);
-    out_.cones_.push_back(normal_cone(written.positions, written.indices));
+    out_.cones_.push_back(normal_cone(out_.positions_, written.indices));
     const bool is_empty = written.positions.empty();
     out_.tight_boxes_.push_back(is_empty ? OrientedBox{}
                                          : oriented_box(written.positions, out_.cones_.back().axis));
@@ -60,7 +60,7 @@ class MeshOctree::Writer {
   std::uint32_t local(std::uint32_t vertex, std::uint32_t cluster, Span& span) {
     if (owner_[vertex] != cluster) {
       owner_[vertex] = cluster;
-      local_[vertex] = span.position_count++;
+      local_[vertex] = span.first_position + span.position_count++;
       out_.positions_.push_back(mesh_.positions[vertex]);
     }
     return local_[vertex];
@@ -68,7 +68,7 @@ class MeshOctree::Writer {
 
   const Mesh& mesh_;
   MeshOctree& out_;
-  std::vector<std::uint32_t> local_;  // a vertex' number in the cluster that owns it now
+  std::vector<std::uint32_t> local_;  // where a vertex stands in the cluster that owns it now
   std::vector<std::uint32_t> owner_;
 };
 
@@ -88,12 +88,13 @@ MeshOctree::MeshOctree(const Mesh& mesh, const MeshOctreeOptions& options) {
   positions_.shrink_to_fit();
 }
 
-MeshCluster MeshOctree::cluster(std::size_t i) const {
-  const Span& span = spans_[i];
-  return {
-      std::span(positions_).subspan(span.first_position, span.position_count),
-      std::span(indices_).subspan(3 * std::size_t{span.first_triangle}, 3 * std::size_t{span.triangle_count}),
-      std::span(triangles_).subspan(span.first_triangle, span.triangle_count)};
+MeshCluster MeshOctree::clusters(std::size_t first, std::size_t end) const {
+  const Span &from = spans_[first], &last = spans_[end - 1];
+  const std::size_t positions = last.first_position + last.position_count - from.first_position;
+  const std::size_t triangles = last.first_triangle + last.triangle_count - from.first_triangle;
+  return {std::span(positions_).subspan(from.first_position, positions), from.first_position,
+          std::span(indices_).subspan(3 * std::size_t{from.first_triangle}, 3 * triangles),
+          std::span(triangles_).subspan(from.first_triangle, triangles)};
 }
 
 std::size_t MeshOctree::bytes() const {

@@ -12,17 +12,18 @@
 
 namespace velum {
 
-/// The triangles that one octree node holds itself, ready to be drawn on their own: a short list of vertices,
-/// and indices into that. Drawing few nodes so transforms few vertices.
+/// The triangles that one octree node holds itself, or those of neighbouring nodes, ready to be drawn on
+/// their own: a short list of vertices, and indices. Drawing few nodes so transforms few vertices.
 struct MeshCluster {
-  std::span<const glm::vec3> positions;      ///< object space; each of the mesh's vertices once
-  std::span<const std::uint32_t> indices;    ///< three per triangle, into `positions`
+  std::span<const glm::vec3> positions;      ///< object space; of each node, each of the mesh's vertices once
+  std::uint32_t first_position = 0;          ///< where they stand among all of MeshOctree::positions()
+  std::span<const std::uint32_t> indices;    ///< three per triangle, into MeshOctree::positions()
   std::span<const std::uint32_t> triangles;  ///< which of the mesh's triangles they are
 };
 
 struct MeshOctreeOptions {
   OctreePlacement placement = OctreePlacement::pushed_down;
-  std::uint32_t leaf_size = 192;  ///< triangles
+  std::uint32_t leaf_size = 384;  ///< triangles
 };
 
 /// An octree over the triangles of a mesh. Its segments and points are not in it.
@@ -37,7 +38,16 @@ class MeshOctree {
   /// One cluster per node, with the same number, empty for those without triangles of their own; and one more
   /// with the triangles that have a vertex which is not finite: they have no place in space.
   std::size_t cluster_count() const { return spans_.size(); }
-  MeshCluster cluster(std::size_t i) const;
+  MeshCluster cluster(std::size_t i) const { return clusters(i, i + 1); }
+  /// Clusters first … end-1 as one: what they hold stands side by side. @pre first < end
+  MeshCluster clusters(std::size_t first, std::size_t end) const;
+  /// Of all clusters, one after the other.
+  std::span<const glm::vec3> positions() const { return positions_; }
+  /// Whether there is nothing between two clusters. @pre first < second
+  bool are_neighbours(std::size_t first, std::size_t second) const {
+    return spans_[first].first_triangle + spans_[first].triangle_count == spans_[second].first_triangle;
+  }
+  std::uint32_t triangle_count(std::size_t cluster) const { return spans_[cluster].triangle_count; }
   bool is_empty(std::size_t cluster) const { return spans_[cluster].triangle_count == 0; }
   const NormalCone& cone(std::size_t cluster) const { return cones_[cluster]; }
   /// Around the cluster's positions, along its surface. @pre not is_empty(cluster), and not the last

@@ -24,7 +24,7 @@ void check(const Mesh& mesh, const MeshOctree& octree) {
       const glm::uvec3& triangle = mesh.triangles[number];
       const std::uint32_t vertices[3] = {triangle.x, triangle.y, triangle.z};
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const glm::vec3 mine = cluster.positions[cluster.indices[3 * k + corner]];
+        const glm::vec3 mine = octree.positions()[cluster.indices[3 * k + corner]];
         const glm::vec3 theirs = mesh.positions[vertices[corner]];
         for (int axis = 0; axis < 3; ++axis) CHECK(!(mine[axis] < theirs[axis] || mine[axis] > theirs[axis]));
       }
