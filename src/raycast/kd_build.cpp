@@ -157,6 +157,7 @@ class KdBuilder {
     SortedCell cell{box, {}, inside.size()};
     for (int axis = 0; axis < 3; ++axis) {
       Edges& edges = cell.edges[static_cast<std::size_t>(axis)];
+      edges.reserve(2 * inside.size());
       for (const std::uint32_t item : inside) add_edges(item, axis, edges);
       std::sort(edges.begin(), edges.end());
     }
@@ -209,8 +210,10 @@ class KdBuilder {
     for (const std::uint32_t item : inside) {
       result.count += is_on(side_of_[item], side) && parts_of_[item].on(side) != none;
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t axes = result.count > 1 ? 3 : 1;  // one item is not divided: only its name is asked for
+    for (std::size_t axis = 0; axis < axes; ++axis) {
       Edges kept, fresh;
+      kept.reserve(cell.edges[axis].size());
       for (const Edge& edge : cell.edges[axis]) {
         if (!is_on(side_of_[edge.item], side)) continue;
         const std::uint32_t part = parts_of_[edge.item].on(side);
@@ -218,8 +221,12 @@ class KdBuilder {
         if (part == edge.item || part == none || edge.kind == Edge::end) continue;
         add_edges(part, static_cast<int>(axis), fresh);
       }
-      std::sort(fresh.begin(), fresh.end());
       Edges& edges = result.edges[axis];
+      if (fresh.empty()) {
+        edges = std::move(kept);
+        continue;
+      }
+      std::sort(fresh.begin(), fresh.end());
       edges.resize(kept.size() + fresh.size());
       std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(), edges.begin());
     }
