@@ -27,6 +27,16 @@ void first_hits(const Accelerator& caster, const std::vector<ViewRay>& rays,
     ids[i] = caster.first_hit(rays[i].ray, rays[i].range, counters).triangle;
 }
 
+void first_hits_together(const Accelerator& caster, const std::vector<ViewRay>& rays,
+                         std::vector<std::uint32_t>& ids) {
+  CastCounters counters;
+  std::array<RayHit, 8> hits;
+  for (std::size_t first = 0; first < rays.size(); first += hits.size()) {
+    caster.first_hits({rays.data() + first, hits.size()}, hits, counters);
+    for (std::size_t i = 0; i < hits.size(); ++i) ids[first + i] = hits[i].triangle;
+  }
+}
+
 void any_hits(const Accelerator& caster, const std::vector<ViewRay>& rays, std::vector<std::uint32_t>& ids) {
   CastCounters counters;
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -110,7 +120,7 @@ void measure_rays(const BenchScene& bench, const MeasureOptions& options, RayFig
   const auto add = [&](const char* what, const RayLoad& load, Cast velum_cast, EmbreeCast embree_cast) {
     figures.rows.push_back(cast(bench.name, what, load, contenders, velum_cast, embree_cast, options));
   };
-  add("primary, packets", loads.primary, first_hits, &EmbreeScene::first_hits_by_eight);
+  add("primary, packets", loads.primary, first_hits_together, &EmbreeScene::first_hits_by_eight);
   add("primary, single", loads.primary, first_hits, &EmbreeScene::first_hits);
   add("incoherent", loads.incoherent, first_hits, &EmbreeScene::first_hits);
   add("shadow", loads.shadow, any_hits, &EmbreeScene::any_hits);

@@ -53,6 +53,23 @@ RayHit Accelerator::first_hit(const Ray& ray, const Interval& range, CastCounter
   return search.hit();
 }
 
+void Accelerator::first_hits(std::span<const ViewRay> rays, std::span<RayHit> hits, CastCounters& counters,
+                             const HitFilter& filter) const {
+  constexpr std::size_t together = 8;
+  for (std::size_t first = 0; first < rays.size(); first += together) {
+    const std::size_t count = std::min(together, rays.size() - first);
+    if (first_hits_together(rays.subspan(first, count), hits.subspan(first, count), counters, filter))
+      continue;
+    for (std::size_t i = first; i < first + count; ++i)
+      hits[i] = first_hit(rays[i].ray, rays[i].range, counters, filter);
+  }
+}
+
+bool Accelerator::first_hits_together(std::span<const ViewRay>, std::span<RayHit>, CastCounters&,
+                                      const HitFilter&) const {
+  return false;
+}
+
 bool Accelerator::is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,
                              const HitFilter& filter) const {
   const PreparedRay prepared(ray, range, bounds_);

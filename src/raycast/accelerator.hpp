@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accelerator_kind.hpp"
+#include "camera_rays.hpp"
 #include "search.hpp"
 
 namespace velum {
@@ -21,6 +22,10 @@ class Accelerator {
   /// @param range  the t that are wanted; both ends included
   RayHit first_hit(const Ray& ray, const Interval& range, CastCounters& counters,
                    const HitFilter& filter = {}) const;
+  /// The first hit of each ray. Eight in a row are cast together where the structure can do that: best for
+  /// rays that start near each other and go the same way. @pre as many hits as rays
+  void first_hits(std::span<const ViewRay> rays, std::span<RayHit> hits, CastCounters& counters,
+                  const HitFilter& filter = {}) const;
   /// Whether there is any hit in the range. For p and q: Ray{p, q - p}, 0 … 1.
   bool is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,
                   const HitFilter& filter = {}) const;
@@ -40,6 +45,10 @@ class Accelerator {
   std::vector<BoxedItem> boxed_triangles() const;
   /// Hands the search what its ray may hit. @pre the ray is usable and meets the bounds
   virtual void traverse(Search& search) const = 0;
+  /// Casts up to eight rays at once, with the hits of first_hit(). @return false: they have to be cast one by
+  /// one; nothing was done
+  virtual bool first_hits_together(std::span<const ViewRay> rays, std::span<RayHit> hits,
+                                   CastCounters& counters, const HitFilter& filter) const;
 
  private:
   void run(Search& search) const;

@@ -35,7 +35,8 @@ Triangle triangle_in(const TriangleBlock& block, std::size_t lane) {
 WideBvh::WideBvh(const TriangleSet& triangles, Isa isa)
     : Accelerator(triangles),
       tree_(build_wide_tree(triangles, isa)),
-      kernel_(isa == Isa::reference ? nullptr : traverse_wide_kernel(isa)) {}
+      kernel_(isa == Isa::reference ? nullptr : traverse_wide_kernel(isa)),
+      packet_kernel_(isa == Isa::reference ? nullptr : traverse_packet_kernel(isa)) {}
 
 void WideBvh::traverse(Search& search) const {
   if (tree_.is_empty()) return;

@@ -2,6 +2,7 @@
 
 #include "accelerator.hpp"
 #include "wide_kernels.hpp"
+#include "wide_packet_kernels.hpp"
 #include "wide_tree.hpp"
 
 namespace velum {
@@ -19,9 +20,12 @@ class WideBvh final : public Accelerator {
 
  private:
   void traverse(Search& search) const override;
+  bool first_hits_together(std::span<const ViewRay> rays, std::span<RayHit> hits, CastCounters& counters,
+                           const HitFilter& filter) const override;
 
   WideTree tree_;
-  TraverseWide kernel_;  ///< nullptr: plain loops
+  TraverseWide kernel_;           ///< nullptr: plain loops
+  TraversePacket packet_kernel_;  ///< nullptr: ray by ray
 };
 
 /// One of a block's triangles. @pre lane < 4

@@ -98,6 +98,47 @@ Interval random_range(Random& random) {
   return {lower, lower + random.uniform(0.0, 2.0)};
 }
 
+/// Eight rays through one place, or from one place, not far from each other; some of them hard.
+std::vector<ViewRay> bundle(Random& random, const RandomTriangles& triangles) {
+  const Ray middle = hard_ray(random, triangles);
+  const Interval range = random_range(random);
+  const double spread = random.below(2) == 0 ? 0.01 : 0.2;
+  const bool is_parallel = random.below(3) == 0, has_one_origin = random.below(3) == 0;
+  std::vector<ViewRay> rays;
+  for (int i = 0, count = random.below(20) == 0 ? 5 : 8; i < count; ++i) {
+    Ray ray = middle;
+    const glm::dvec3 aside = random_point(random, spread);
+    if (!has_one_origin) ray.origin += aside;
+    if (!is_parallel) ray.direction += random_point(random, spread) * glm::length(ray.direction);
+    rays.push_back({ray, range});
+  }
+  if (random.below(20) == 0) rays.back() = {hard_ray(random, triangles), {0.0, 1.0}};
+  return rays;
+}
+
+void compare_bundles(std::uint64_t seed, int scenes, int bundles) {
+  Random random{seed};
+  for (int scene = 0; scene < scenes; ++scene) {
+    const RandomTriangles triangles = random_triangles(random, scene);
+    const BruteForce oracle(triangles.set());
+    for (const Isa isa : available_isas()) {
+      const WideBvh bvh(triangles.set(), isa);
+      Random rays_random{seed + static_cast<std::uint64_t>(scene)};
+      for (int i = 0; i < bundles; ++i) {
+        const std::vector<ViewRay> rays = bundle(rays_random, triangles);
+        std::vector<RayHit> expected(rays.size()), hits(rays.size());
+        CastCounters counters, of_bvh;
+        oracle.first_hits(rays, expected, counters);
+        bvh.first_hits(rays, hits, of_bvh);
+        INFO("scene " << scene << ", bundle " << i << ", " << name_of(isa));
+        CHECK(std::equal(hits.begin(), hits.end(), expected.begin(), same));
+        CHECK(of_bvh.rays == rays.size());
+        CHECK(of_bvh.hits == counters.hits);
+      }
+    }
+  }
+}
+
 /// @return rays that hit something
 int compare_scenes(std::uint64_t seed, int scenes, int rays) {
   Random random{seed};
@@ -132,6 +173,14 @@ TEST_CASE("all structures find what brute force finds") {
 
 TEST_CASE("[long] all structures find what brute force finds in 500 scenes") {
   CHECK(compare_scenes(22, 500, 100) > 10000);
+}
+
+TEST_CASE("rays cast together hit what each hits alone") {
+  compare_bundles(25, 40, 20);
+}
+
+TEST_CASE("[long] rays cast together hit what each hits alone in 500 scenes") {
+  compare_bundles(26, 500, 60);
 }
 
 TEST_CASE("a structure over no triangles is hit by nothing") {
