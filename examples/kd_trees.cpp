@@ -1,6 +1,7 @@
 // One mesh in kd-trees that are built and walked in different ways: what building, loading and a ray cost, in
 // processor time, and how many nodes and triangles a ray meets.
 #include <velum/raycast/kd_file.hpp>
+#include <velum/raycast/kd_packet.hpp>
 #include <velum/velum.hpp>
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace {
 struct Way {
   const char* name;
   velum::KdSettings settings;
+  bool in_packets = false;
 };
 
 double seconds() {
@@ -57,6 +59,7 @@ int main(int argc, char** argv) {
   const Way ways[] = {{"exact", {}},
                       {"exact, recursive", {.walk = recursive}},
                       {"exact, ropes", {.walk = ropes}},
+                      {"exact, packets", {}, true},
                       {"16 samples", {.samples = 16}},
                       {"split", {.cut = split}},
                       {"split, 16 samples", {.cut = split, .samples = 16}},
@@ -72,8 +75,10 @@ int main(int argc, char** argv) {
     const std::vector<velum::Ray> rays = camera_rays(tree->bounds(), 200);
     const auto count = static_cast<double>(rays.size());
     velum::CastCounters counters;
+    std::vector<velum::RayHit> hits(rays.size());
     const double cast = least_time([&] {
       counters = {};
+      if (way.in_packets) return velum::first_hits(*loaded, rays, {}, counters, hits);
       for (const velum::Ray& ray : rays) loaded->first_hit(ray, {}, counters);
     });
     std::printf("%-18s %9.1f %9.1f %9.1f %9.1f %9.2f %9.2f %7.0f\n", way.name, build * 1e3, load * 1e3,

@@ -4,6 +4,7 @@
 
 #include "random_scenes.hpp"
 #include "raycast/brute_force.hpp"
+#include "raycast/kd_packet.hpp"
 #include "raycast/kd_split.hpp"
 #include "raycast/kd_tree.hpp"
 
@@ -257,4 +258,47 @@ TEST_CASE("a ray by ropes along planes, through cell corners and edges is not lo
     }
   }
   CHECK(hits > 5000);
+}
+
+namespace {
+
+/// Packets of any rays find what single rays find. @return rays that went together
+std::size_t compare_packets(const RandomTriangles& triangles, const std::vector<Ray>& rays,
+                            const Interval& range) {
+  const KdTree tree(triangles.set());
+  std::vector<RayHit> found(rays.size());
+  CastCounters together, alone;
+  first_hits(tree, rays, range, together, found);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const RayHit expected = tree.first_hit(rays[i], range, alone);
+    CHECK(found[i].triangle == expected.triangle);
+    CHECK(found[i].t == expected.t);
+  }
+  CHECK(together.hits == alone.hits);
+  CHECK(together.rays == alone.rays);
+  return together.nodes;
+}
+
+}  // namespace
+
+TEST_CASE("rays in packets hit what single rays hit, and share nodes where they keep together") {
+  Random random{47};
+  for (int scene = 0; scene < 20; ++scene) {
+    const RandomTriangles triangles = random_triangles(random, scene);
+    std::vector<Ray> rays;  // three to a kind, so that some packets agree in signs and some do not
+    for (int i = 0; i < 101; ++i)
+      rays.push_back(i % 24 < 12 ? hard_ray(random, triangles) : random_ray(random));
+    compare_packets(triangles, rays, {});
+    compare_packets(triangles, rays, {0.0, 0.7});
+  }
+  const RandomTriangles triangles = cloud(2000, 0.1);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 800; ++i) {
+    const double x = (i % 8 + i / 8 % 10 * 8) / 80.0, y = i / 80 / 10.0;
+    rays.push_back({{3.0, 2.0, 4.0}, {x - 3.5, y - 2.5, -4.0}});
+  }
+  CastCounters single;
+  const KdTree tree(triangles.set());
+  for (const Ray& ray : rays) tree.first_hit(ray, {}, single);
+  CHECK(compare_packets(triangles, rays, {}) * 2 < single.nodes);
 }
