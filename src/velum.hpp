@@ -18,6 +18,7 @@
 #include "drawing/canvas.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/pixel_drawing.hpp"
+#include "drawing/ray_drawing.hpp"
 #include "drawing/sheet.hpp"
 #include "image/compare.hpp"
 #include "image/downsample.hpp"

@@ -2,13 +2,12 @@
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "../pipeline/check_request.hpp"
 #include "../pipeline/hierarchical_stage.hpp"
 #include "../projection/frame.hpp"
-#include "canvas.hpp"
+#include "box_view.hpp"
 
 namespace velum {
 namespace {
@@ -27,45 +26,9 @@ constexpr std::array<NodeFate, 4> drawing_order{NodeFate::outside, NodeFate::fac
                                                 NodeFate::hidden};
 constexpr Rgba8 volume_colour{30, 70, 190, 255};
 
-class SecondView {
- public:
-  SecondView(const glm::dmat4& clip_from_world, int width, int height)
-      : clip_from_world_(clip_from_world),
-        viewport_{width, height},
-        canvas_(width, height, {255, 255, 255, 255}) {}
-
-  /// The twelve edges of a box, whose corners are numbered as Aabb::corners() numbers them.
-  void edges(const std::array<glm::dvec4, 8>& world, double thickness, const Rgba8& colour) {
-    for (unsigned i = 0; i < 8; ++i) {
-      for (unsigned axis = 1; axis < 8; axis *= 2) {
-        if ((i & axis) != 0) continue;
-        const auto a = place(world[i]), b = place(world[i | axis]);
-        if (a && b) canvas_.line(*a, *b, thickness, colour);
-      }
-    }
-  }
-  Canvas& canvas() { return canvas_; }
-
- private:
-  std::optional<glm::dvec2> place(const glm::dvec4& world) const {
-    const glm::dvec4 clip = clip_from_world_ * world;
-    if (!(clip.w > 0.0)) return {};
-    return viewport_.pixel_from_ndc(clip.x / clip.w, clip.y / clip.w);
-  }
-
-  glm::dmat4 clip_from_world_;
-  Viewport viewport_;
-  Canvas canvas_;
-};
-
-std::array<glm::dvec4, 8> placed(const Aabb& box, const glm::dmat4& world_from_object) {
-  std::array<glm::dvec4, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) corners[i] = world_from_object * glm::dvec4(box.corners()[i], 1.0);
-  return corners;
-}
-
 std::array<glm::dvec4, 8> volume_of(const ViewingTransform& viewing) {
-  std::array<glm::dvec4, 8> corners = placed({{-1.0, -1.0, 0.0}, {1.0, 1.0, 1.0}}, viewing.world_from_clip());
+  std::array<glm::dvec4, 8> corners =
+      placed_corners({{-1.0, -1.0, 0.0}, {1.0, 1.0, 1.0}}, viewing.world_from_clip());
   for (glm::dvec4& corner : corners) corner /= corner.w;
   return corners;
 }
@@ -98,7 +61,7 @@ Image<Rgba8> draw_octree(const Scene& scene, const Camera& camera, const RenderS
   const std::array<glm::dvec4, 8> volume = volume_of(viewing);
   const double aspect = static_cast<double>(width) / height;
   const Camera second = second_camera(scene, volume, aspect);
-  SecondView view(second.viewing_transform(aspect).clip_from_world(), width, height);
+  BoxView view(second.viewing_transform(aspect).clip_from_world(), width, height);
   std::array<int, 4> counts{};
   for (const NodeFate fate : drawing_order) {
     for (const NodeRecord& record : records) {
@@ -111,7 +74,7 @@ Image<Rgba8> draw_octree(const Scene& scene, const Camera& camera, const RenderS
               : buffers.octrees.mesh(scene.instances()[record.instance].mesh).nodes()[record.node].box;
       const glm::dmat4 placement =
           is_of_scene ? glm::dmat4(1.0) : scene.instances()[record.instance].world_from_object;
-      view.edges(placed(box, placement), 1.0, styles[static_cast<std::size_t>(fate)].colour);
+      view.edges(placed_corners(box, placement), 1.0, styles[static_cast<std::size_t>(fate)].colour);
     }
   }
   view.edges(volume, 2.0, volume_colour);

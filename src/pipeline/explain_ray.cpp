@@ -11,6 +11,22 @@
 namespace velum {
 namespace {
 
+/// @pre the box is missed
+SlabGap gap_of(const BvhNode& box, const PreparedRay& ray) {
+  SlabGap gap{0, std::numeric_limits<double>::infinity(), 0, -std::numeric_limits<double>::infinity()};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 lower(-std::numeric_limits<float>::infinity()), upper(-lower);
+    lower[axis] = box.lower[axis];
+    upper[axis] = box.upper[axis];
+    const Interval slab = ray.through(lower, upper);
+    if (slab.upper < gap.left) gap.left_axis = axis;
+    if (slab.lower > gap.entered) gap.entered_axis = axis;
+    gap.left = std::min(gap.left, slab.upper);
+    gap.entered = std::max(gap.entered, slab.lower);
+  }
+  return gap;
+}
+
 /// Goes the way of BvhTree::traverse() on both levels, and writes it down.
 class Recorder {
  public:
@@ -43,7 +59,8 @@ class Recorder {
     const Interval part = inside(tree, index, ray);
     const RayStep::Outcome outcome = outcome_of(part, ray);
     steps_.push_back(
-        {RayStep::Kind::box, outcome, level, node.is_leaf(), index, {node.lower, node.upper}, part});
+        {RayStep::Kind::box, outcome, level, node.is_leaf(), index, {node.lower, node.upper}, part, {}});
+    if (outcome == RayStep::Outcome::missed) steps_.back().gap = gap_of(node, ray);
     if (outcome != RayStep::Outcome::entered) return;
     if (node.is_leaf()) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) leaf(tree.order[i], level + 1);
@@ -60,7 +77,8 @@ class Recorder {
   void enter(std::uint32_t instance, int level) {
     const auto& structure = static_cast<const Bvh&>(caster_.structure(caster_.mesh_of(instance)));
     const PreparedRay prepared(caster_.in_object(instance, ray_.ray), ray_.range, structure.bounds());
-    steps_.push_back({RayStep::Kind::instance, RayStep::Outcome::entered, level, false, instance, {}, {}});
+    steps_.push_back(
+        {RayStep::Kind::instance, RayStep::Outcome::entered, level, false, instance, {}, {}, {}});
     if (!prepared.usable || structure.tree().nodes.empty()) return;
     visit(structure.tree(), 0, prepared, level + 1, [&](std::uint32_t triangle, int deeper) {
       const auto hit = intersect_watertight(prepared, structure.triangles()[triangle]);
@@ -70,7 +88,7 @@ class Recorder {
 
   void test(std::uint32_t instance, std::uint32_t triangle, const double* t, int level) {
     const std::uint32_t primitive = caster_.primitive(instance, triangle);
-    RayStep step{RayStep::Kind::triangle, RayStep::Outcome::missed, level, false, primitive, {}, {}};
+    RayStep step{RayStep::Kind::triangle, RayStep::Outcome::missed, level, false, primitive, {}, {}, {}};
     if (t != nullptr) {
       step.inside = {*t, *t};
       step.outcome = outcome_of_hit(instance, triangle, *t, primitive);
@@ -98,6 +116,29 @@ class Recorder {
 };
 
 }  // namespace
+
+std::string reason_of(const RayStep& step) {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  switch (step.outcome) {
+    case RayStep::Outcome::entered:
+      return "entered";
+    case RayStep::Outcome::missed:
+      if (step.kind != RayStep::Kind::box) return "missed";
+      return std::string("missed: leaves ") + axes[step.gap.left_axis] + " before it enters " +
+             axes[step.gap.entered_axis];
+    case RayStep::Outcome::not_wanted:
+      return "left out: not between near and far";
+    case RayStep::Outcome::beyond_hit:
+      return "left out: entered after the nearest hit";
+    case RayStep::Outcome::nearest:
+      return "hit, the nearest so far";
+    case RayStep::Outcome::farther:
+      return "hit, behind another";
+    case RayStep::Outcome::culled:
+      break;
+  }
+  return "hit, culled by its facing";
+}
 
 RayExplanation explain_ray(const Scene& scene, const Camera& camera, const RenderSettings& settings, int x,
                            int y) {

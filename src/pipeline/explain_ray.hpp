@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "../projection/camera.hpp"
@@ -9,6 +10,14 @@
 #include "settings.hpp"
 
 namespace velum {
+
+/// Why a ray misses a box: it is out of one pair of sides before it is between another pair.
+struct SlabGap {
+  int left_axis = 0;  ///< 0, 1, 2: the ray leaves the slab across this axis first, at t = left …
+  double left = 0.0;
+  int entered_axis = 0;  ///< … and enters this one last, at t = entered > left
+  double entered = 0.0;
+};
 
 /// One step of a ray through the bounding volume hierarchies, in the order in which they are taken.
 struct RayStep {
@@ -29,7 +38,11 @@ struct RayStep {
   std::uint32_t index = 0;  ///< box: node; instance; triangle: primitive id in the scene
   Box box;                  ///< box: world space above the instances, else object space
   Interval inside;          ///< box: where the ray is in it; triangle: its t, twice
+  SlabGap gap;              ///< of a box that is missed
 };
+
+/// Why a step ended as it did, in a few words: "missed: leaves x before it enters y".
+std::string reason_of(const RayStep& step);
 
 /// What the ray through a pixel's centre meets, and how it was found.
 struct RayExplanation {
