@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "accelerator.hpp"
 #include "bvh_build.hpp"
 
@@ -9,6 +11,8 @@ namespace velum {
 class Bvh final : public Accelerator {
  public:
   explicit Bvh(const TriangleSet& triangles, const BvhSettings& settings = {});
+  /// @param tree  over these triangles as they lie, e.g. MovingBvh::tree()
+  Bvh(const TriangleSet& triangles, BvhTree tree) : Accelerator(triangles), tree_(std::move(tree)) {}
   std::size_t memory() const override { return tree_.memory(); }
   const BvhTree& tree() const { return tree_; }
 

@@ -218,6 +218,10 @@ TEST_CASE("a filter leaves triangles out") {
     CHECK(built.structure->first_hit(down, {}, counters, filter).triangle == 11);
     CHECK(built.structure->is_blocked(down, {0.0, 3.5}, counters));
     CHECK_FALSE(built.structure->is_blocked(down, {0.0, 3.5}, counters, filter));
+    std::vector<RayHit> hits;
+    built.structure->all_hits(down, {}, counters, hits, filter);
+    REQUIRE(hits.size() == 12);
+    for (std::uint32_t i = 0; i < 12; ++i) CHECK(hits[i].triangle == 11 - i);
   }
 }
 
