@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "goals.hpp"
+#include "plots.hpp"
 #include "report.hpp"
-#include "svg.hpp"
 
 namespace velum_bench {
 namespace {

@@ -2,9 +2,10 @@
 #include <cstdio>
 
 #include "goals.hpp"
+#include "plots.hpp"
 #include "report.hpp"
-#include "svg.hpp"
 #include "tasks.hpp"
+#include "text_file.hpp"
 #include "verdicts.hpp"
 
 namespace velum_bench {

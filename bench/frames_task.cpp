@@ -2,9 +2,10 @@
 
 #include "llvmpipe.hpp"
 #include "machine_limits.hpp"
+#include "plots.hpp"
 #include "report.hpp"
-#include "svg.hpp"
 #include "tasks.hpp"
+#include "text_file.hpp"
 
 namespace velum_bench {
 namespace {

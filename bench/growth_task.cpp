@@ -6,10 +6,11 @@
 #include <sstream>
 
 #include "llvmpipe.hpp"
-#include "log_plot.hpp"
 #include "machine_limits.hpp"
 #include "meshes.hpp"
+#include "plots.hpp"
 #include "tasks.hpp"
+#include "text_file.hpp"
 
 namespace velum_bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "measure.hpp"
-#include "table.hpp"
+#include "plots.hpp"
 #include "verdicts.hpp"
 
 namespace velum_bench {

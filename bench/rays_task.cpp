@@ -3,9 +3,10 @@
 
 #include "embree.hpp"
 #include "goals.hpp"
+#include "plots.hpp"
 #include "ray_measure.hpp"
-#include "svg.hpp"
 #include "tasks.hpp"
+#include "text_file.hpp"
 
 namespace velum_bench {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "measure.hpp"
-#include "table.hpp"
+#include "plots.hpp"
 
 namespace velum_bench {
 

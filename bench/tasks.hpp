@@ -1,8 +1,8 @@
 #pragma once
 
 #include "options.hpp"
+#include "plots.hpp"
 #include "ray_measure.hpp"
-#include "table.hpp"
 
 namespace velum_bench {
 

@@ -5,7 +5,7 @@
 
 #include "machine_limits.hpp"
 #include "measure.hpp"
-#include "table.hpp"
+#include "plots.hpp"
 
 namespace velum_bench {
 

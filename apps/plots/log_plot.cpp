@@ -5,7 +5,7 @@
 
 #include "table.hpp"
 
-namespace velum_bench {
+namespace velum_plots {
 namespace {
 
 constexpr double left = 84.0, right = 320.0, top = 104.0, bottom = 62.0, width = 600.0, height = 420.0;
@@ -138,4 +138,4 @@ std::string svg_of(const LogPlot& plot) {
   return svg.done();
 }
 
-}  // namespace velum_bench
+}  // namespace velum_plots

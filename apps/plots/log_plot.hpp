@@ -5,9 +5,9 @@
 
 #include "svg.hpp"
 
-namespace velum_bench {
+namespace velum_plots {
 
-/// Measured points that belong together; x and y > 0, x ascending.
+/// Measured points that belong together; x and y > 0, x ascending; at least two.
 struct Series {
   std::string name;
   std::vector<Point> points;
@@ -30,4 +30,4 @@ struct LogPlot {
 /// Both axes logarithmic: a power law is a straight line, its exponent the slope. SVG.
 std::string svg_of(const LogPlot& plot);
 
-}  // namespace velum_bench
+}  // namespace velum_plots

@@ -1,28 +1,12 @@
 #include "svg.hpp"
 
-#include <fstream>
-#include <velum/velum.hpp>
-
 #include "table.hpp"
 
-namespace velum_bench {
+namespace velum_plots {
 namespace {
 
 std::string number(double value) {
   return "\"" + fixed(value, 1) + "\"";
-}
-
-std::string escaped(const std::string& words) {
-  std::string result;
-  for (const char c : words) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 const char* name_of(Anchor anchor) {
@@ -60,14 +44,4 @@ void Svg::text(Point base, const std::string& words, const TextStyle& style) {
            (style.is_bold ? " font-weight=\"bold\"" : "") + ">" + escaped(words) + "</text>\n";
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::error_code ignored;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream)
-    throw velum::Error(velum::ErrorKind::write, "the file cannot be written", file.string(),
-                       "choose another folder with --out");
-}
-
-}  // namespace velum_bench
+}  // namespace velum_plots

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
-namespace velum_bench {
+namespace velum_plots {
 
 /// A place on the page, pixels, y down.
 struct Point {
@@ -36,7 +35,4 @@ class Svg {
   std::string body_;
 };
 
-/// Writes a text file, with the folders it stands in. @throws velum::Error (write)
-void write_text(const std::filesystem::path& file, const std::string& text);
-
-}  // namespace velum_bench
+}  // namespace velum_plots

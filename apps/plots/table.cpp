@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace velum_bench {
+namespace velum_plots {
 namespace {
 
 /// How many characters of UTF-8 text are seen.
@@ -60,6 +60,33 @@ std::string Table::markdown() const {
   return all;
 }
 
+std::string Table::html() const {
+  std::string all = "<table>\n";
+  for (const auto& row : rows_) {
+    const std::string tag = &row == &rows_.front() ? "th" : "td";
+    all += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      all += "<" + tag + (sides_[i] == 'l' ? "" : " class=\"number\"") + ">" + escaped(row[i]) + "</" + tag +
+             ">";
+    }
+    all += "</tr>\n";
+  }
+  return all + "</table>\n";
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else
+      result += c;
+  }
+  return result;
+}
+
 std::string fixed(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
@@ -85,4 +112,4 @@ std::string with_prefix(double value, const std::string& unit) {
   return short_figure(value) + " " + unit;
 }
 
-}  // namespace velum_bench
+}  // namespace velum_plots

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace velum_bench {
+namespace velum_plots {
 
 /// Text in rows and columns, for people.
 class Table {
@@ -18,11 +18,15 @@ class Table {
   /// Columns of equal width.
   std::string text() const;
   std::string markdown() const;
+  std::string html() const;
 
  private:
   std::string sides_;
   std::vector<std::vector<std::string>> rows_;  ///< the first: the headings
 };
+
+/// Text in which nothing is markup, for HTML and SVG.
+std::string escaped(const std::string& text);
 
 /// printf's %.Nf
 std::string fixed(double value, int digits);
@@ -33,4 +37,4 @@ std::string tick_label(double value);
 /// About three digits with the unit and its prefix, e.g. "24.1 GB/s" of 24.1e9.
 std::string with_prefix(double value, const std::string& unit);
 
-}  // namespace velum_bench
+}  // namespace velum_plots
