@@ -6,6 +6,7 @@
 #include <string>
 #include <velum/velum.hpp>
 
+#include "claims_command.hpp"
 #include "ray_command.hpp"
 #include "verb.hpp"
 
@@ -29,6 +30,7 @@ constexpr const char* examples =
     "  velum diff before.png after.png                 how far two pictures are apart\n"
     "  velum agree bunny.obj                           what rays see, against what the raster sees\n"
     "  velum ray bunny.obj --pixel 400,300 --traversal a ray's way through the boxes\n"
+    "  velum claims                                    what the lectures claim, tested, as a page\n"
     "`velum VERB --help` tells more. Exit codes: 0 ok, 1 nothing to be seen, or pictures differ,\n"
     "2 usage, 3 cannot read, 4 cannot write.";
 
@@ -65,7 +67,7 @@ int run(int argc, char** argv) {
   const std::array verbs{add_render(program),      add_matrix(program), add_info(program),
                          add_projections(program), add_views(program),  add_pixel(program),
                          add_clip_trace(program),  add_diff(program),   add_agree(program),
-                         add_pyramid(program),     add_ray(program)};
+                         add_pyramid(program),     add_ray(program),    add_claims(program)};
   if (argc < 2) {
     std::cerr << program.help();
     return exit_usage;
