@@ -25,6 +25,7 @@ Docs make_docs() {
   docs.pictures["conventions.png"] = draw_conventions(subject);
   docs.pictures["spans.png"] = draw_spans(subject);
   docs.pictures["samples.png"] = draw_samples(subject);
+  docs.pictures["acne.png"] = draw_acne();
   docs.pictures["pixel.png"] =
       velum::draw_pixel(subject.pixel, subject.scene, subject.camera, subject.settings, {5, 40});
   add_stage_blocks(subject, docs);

@@ -27,5 +27,6 @@ velum::Image<velum::Rgba8> draw_spaces(const Subject& subject);
 velum::Image<velum::Rgba8> draw_conventions(const Subject& subject);
 velum::Image<velum::Rgba8> draw_spans(const Subject& subject);
 velum::Image<velum::Rgba8> draw_samples(const Subject& subject);
+velum::Image<velum::Rgba8> draw_acne();
 
 }  // namespace velum_docs

@@ -14,6 +14,6 @@ if ! diff -u "$tree/docs/pipeline.md" "$work/pipeline.md" || ! diff -rq "$tree/d
 fi
 for picture in "$work"/pictures/*; do
   name=pictures/$(basename "$picture")
-  grep -qF "($name)" "$work/pipeline.md" || { echo "docs/pipeline.md does not show $name"; exit 1; }
+  grep -qF "($name)" "$work/pipeline.md" "$tree"/docs/*.md || { echo "no page of docs/ shows $name"; exit 1; }
 done
 echo "docs/pipeline.md and $(find "$work/pictures" -type f | wc -l) pictures are as made"
