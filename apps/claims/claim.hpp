@@ -32,12 +32,14 @@ struct Effort {
 // One file each.
 Claim claim_growth(const Effort& effort);
 Claim claim_structures(const std::vector<Subject>& subjects, const Effort& effort);
+Claim claim_bounding_volumes(const std::vector<Subject>& subjects, const Effort& effort);
 Claim claim_nested_grid(const Effort& effort);
 Claim claim_grid_resolution(const std::vector<Subject>& subjects, const Effort& effort);
 Claim claim_share_of_intersection(const std::vector<Subject>& subjects, const Effort& effort);
 Claim claim_surface_area_heuristic(const std::vector<Subject>& subjects, const Effort& effort);
 Claim claim_number_of_rays(const std::vector<Subject>& subjects, const Effort& effort);
 Claim claim_back_faces(const std::vector<Subject>& subjects, const Effort& effort);
+Claim claim_tree_file(const Effort& effort);
 Claim claim_moving_scenes(const Effort& effort);
 
 /// All of them, in the order of the page. @param tell  called with each title before it is measured

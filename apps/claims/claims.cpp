@@ -12,12 +12,14 @@ std::vector<Claim> test_claims(const std::vector<Subject>& subjects, const Effor
   const std::pair<const char*, std::function<Claim()>> tests[] = {
       {"growth with n", [&] { return claim_growth(effort); }},
       {"nodes and intersections per ray", [&] { return claim_structures(subjects, effort); }},
+      {"bounding volumes", [&] { return claim_bounding_volumes(subjects, effort); }},
       {"resolution of a grid", [&] { return claim_grid_resolution(subjects, effort); }},
       {"the ball in the stadium", [&] { return claim_nested_grid(effort); }},
       {"share of intersections", [&] { return claim_share_of_intersection(subjects, effort); }},
       {"surface-area heuristic", [&] { return claim_surface_area_heuristic(subjects, effort); }},
       {"number of rays", [&] { return claim_number_of_rays(subjects, effort); }},
       {"back faces", [&] { return claim_back_faces(subjects, effort); }},
+      {"kept kd-trees", [&] { return claim_tree_file(effort); }},
       {"moving scenes", [&] { return claim_moving_scenes(effort); }},
   };
   std::vector<Claim> claims;

@@ -96,7 +96,7 @@ Claim claim_growth(const Effort& effort) {
   Table table({"structure", "triangles up to", "exponent of steps", "of time", "steps added per doubling"},
               "lrrrr");
   for (const Growth& g : all) {
-    table.add({g.name.name, tick_label(g.steps.points.back().x), fixed(g.steps.exponent_of_large(), 2),
+    table.add({g.name.name, fixed(g.steps.points.back().x, 0), fixed(g.steps.exponent_of_large(), 2),
                fixed(g.times.exponent_of_large(), 2), short_figure(per_doubling(g.steps))});
   }
   claim.tables.push_back(table);
