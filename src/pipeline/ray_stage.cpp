@@ -1,6 +1,7 @@
 #include "ray_stage.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "../projection/facing.hpp"
 #include "../visibility/depth_plane.hpp"
@@ -53,17 +54,39 @@ class Depths {
   DepthPlane plane_;
 };
 
-void cast_block(const RayView& view, const RayStageInput& input, const Rect& block, VisibilityBuffer& buffer,
-                CastCounters& counters) {
-  Depths depths(view, input);
+/// Rays through pixels next to each other are cast together.
+constexpr int packet_width = 4, packet_height = 2;
+
+/// A few pixels, row by row. @param pixels  at most a packet, inside input.rect
+void cast_packet(const RayView& view, const RayStageInput& input, const Rect& pixels, Depths& depths,
+                 VisibilityBuffer& buffer, CastCounters& counters) {
   const double dx = 0.5 + static_cast<double>(input.sample.x) / subpixels;
   const double dy = 0.5 + static_cast<double>(input.sample.y) / subpixels;
-  for (int y = block.top; y < block.bottom(); ++y) {
-    for (int x = block.left; x < block.right(); ++x) {
-      const SceneHit hit = view.at(x + dx, y + dy, counters);
+  std::array<ViewRay, packet_width * packet_height> rays;
+  std::array<SceneHit, packet_width * packet_height> hits;
+  std::size_t count = 0;
+  for (int y = pixels.top; y < pixels.bottom(); ++y) {
+    for (int x = pixels.left; x < pixels.right(); ++x) rays[count++] = view.rays().through(x + dx, y + dy);
+  }
+  view.first_hits({rays.data(), count}, {hits.data(), count}, counters);
+  std::size_t i = 0;
+  for (int y = pixels.top; y < pixels.bottom(); ++y) {
+    for (int x = pixels.left; x < pixels.right(); ++x) {
+      const SceneHit& hit = hits[i++];
       if (!hit.is_hit()) continue;
       buffer.reversed_depth.at(x - input.rect.left, y - input.rect.top) = depths.at(hit, x, y);
       buffer.primitive.at(x - input.rect.left, y - input.rect.top) = hit.primitive;
+    }
+  }
+}
+
+void cast_block(const RayView& view, const RayStageInput& input, const Rect& block, VisibilityBuffer& buffer,
+                CastCounters& counters) {
+  Depths depths(view, input);
+  for (int top = block.top; top < block.bottom(); top += packet_height) {
+    for (int left = block.left; left < block.right(); left += packet_width) {
+      cast_packet(view, input, intersect(block, {left, top, packet_width, packet_height}), depths, buffer,
+                  counters);
     }
   }
 }
@@ -117,11 +140,18 @@ SceneHit RayView::at(double px, double py, CastCounters& counters) const {
   return caster_.first_hit(view_ray.ray, view_ray.range, counters, filter());
 }
 
+void RayView::first_hits(std::span<const ViewRay> rays, std::span<SceneHit> hits,
+                         CastCounters& counters) const {
+  caster_.first_hits(rays, hits, counters, filter());
+}
+
 void cast_visibility(const RayStageInput& input, const std::function<void(double)>& progress,
                      RayStageBuffers& buffers, VisibilityBuffer& buffer, Counters& counters) {
   const AcceleratorKind kind = input.settings.accelerator;
-  if (!buffers.caster || buffers.caster->kind() != kind || !buffers.caster->is_of(input.scene)) {
-    buffers.caster = std::make_unique<SceneCaster>(input.scene, kind);
+  const Isa isa = input.settings.isa;
+  const SceneCaster* kept = buffers.caster.get();
+  if (kept == nullptr || kept->kind() != kind || kept->isa() != isa || !kept->is_of(input.scene)) {
+    buffers.caster = std::make_unique<SceneCaster>(input.scene, kind, isa);
   }
   const RayView view(input.scene, *buffers.caster, input.viewing, input.settings);
   for (const Instance& instance : input.scene.instances()) {

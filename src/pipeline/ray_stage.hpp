@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "../base/counters.hpp"
 #include "../base/executor.hpp"
@@ -40,6 +41,9 @@ class RayView {
   /// The triangle that is seen at a place on the picture (pixels, y down), by geometry in the scene: of those
   /// that are not culled the first one between the near and the far plane.
   SceneHit at(double px, double py, CastCounters& counters) const;
+
+  /// The same for many places at once. @param hits  as many as rays; see rays()
+  void first_hits(std::span<const ViewRay> rays, std::span<SceneHit> hits, CastCounters& counters) const;
 
   /// The three corners in clip space, as the raster has them to the bit.
   std::array<glm::dvec4, 3> clip_triangle(std::uint32_t instance, std::uint32_t triangle) const;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../base/isa.hpp"
 #include "accelerator_kind.hpp"
 #include "camera_rays.hpp"
 #include "search.hpp"
@@ -57,8 +58,11 @@ class Accelerator {
   Aabb bounds_;
 };
 
-/// Builds a structure of a kind with its usual settings. @pre the indices are in range, see validate(Mesh);
-/// the memory behind `triangles` stays as it is
-std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const TriangleSet& triangles);
+/// Builds a structure of a kind with its usual settings.
+/// @param isa  which instructions cast rays, where the kind has vector kernels; the hits are the same
+/// @pre the indices are in range, see validate(Mesh); the memory behind `triangles` stays as it is;
+/// is_available(isa)
+std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const TriangleSet& triangles,
+                                               Isa isa = Isa::best);
 
 }  // namespace velum

@@ -9,7 +9,7 @@
 
 namespace velum {
 
-std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const TriangleSet& triangles) {
+std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const TriangleSet& triangles, Isa isa) {
   switch (kind) {
     case AcceleratorKind::brute_force:
       return std::make_unique<BruteForce>(triangles);
@@ -28,7 +28,7 @@ std::unique_ptr<Accelerator> build_accelerator(AcceleratorKind kind, const Trian
     case AcceleratorKind::bvh:
       break;
   }
-  return std::make_unique<WideBvh>(triangles);
+  return std::make_unique<WideBvh>(triangles, isa);
 }
 
 }  // namespace velum

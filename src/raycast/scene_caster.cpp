@@ -1,6 +1,7 @@
 #include "scene_caster.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
 
@@ -8,6 +9,8 @@
 
 namespace velum {
 namespace {
+
+constexpr std::size_t rays_together = 8;
 
 /// The floats next to a double on both sides.
 float below(double v) {
@@ -53,11 +56,11 @@ struct InstanceFilter {
 
 }  // namespace
 
-SceneCaster::SceneCaster(const Scene& scene, AcceleratorKind kind)
-    : kind_(kind), revision_(scene.revision()) {
+SceneCaster::SceneCaster(const Scene& scene, AcceleratorKind kind, Isa isa)
+    : kind_(kind), isa_(isa), revision_(scene.revision()) {
   for (const Mesh& mesh : scene.meshes()) {
     MeshEntry entry{mesh.positions, mesh.triangles, {}};
-    entry.structure = build_accelerator(kind, {entry.positions.span(), entry.triangles.span()});
+    entry.structure = build_accelerator(kind, {entry.positions.span(), entry.triangles.span()}, isa);
     meshes_.push_back(std::move(entry));
   }
   add_instances(scene);
@@ -133,6 +136,51 @@ SceneHit SceneCaster::first_hit(const Ray& ray, const Interval& range, CastCount
   });
   counters.hits += best.is_hit();
   return best;
+}
+
+/// Up to eight rays into one instance, for what is nearer than their hits so far.
+void SceneCaster::first_hits_of(std::uint32_t instance, std::span<const ViewRay> rays,
+                                std::span<SceneHit> hits, CastCounters& counters,
+                                const SceneFilter& filter) const {
+  const Placed& placed = instances_[instance];
+  const InstanceFilter of_instance{filter, instance};
+  std::array<ViewRay, rays_together> inside;
+  std::array<RayHit, rays_together> found;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    inside[i].ray = placed.in_object(rays[i].ray);
+    inside[i].range = {rays[i].range.lower, std::min(hits[i].t, rays[i].range.upper)};
+  }
+  CastCounters inner;
+  structure(placed.mesh)
+      .first_hits({inside.data(), rays.size()}, {found.data(), rays.size()}, inner, of_instance.of_mesh());
+  inner.rays = inner.hits = 0;
+  counters += inner;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const RayHit& hit = found[i];
+    const std::uint32_t primitive = placed.first_primitive + hit.triangle;
+    if (hit.is_hit() && is_before(hit.t, primitive, hits[i].t, hits[i].primitive))
+      hits[i] = {hit.t, primitive, instance, hit.triangle, hit.barycentric};
+  }
+}
+
+void SceneCaster::first_hits(std::span<const ViewRay> rays, std::span<SceneHit> hits, CastCounters& counters,
+                             const SceneFilter& filter) const {
+  // With many instances it pays to ask for each ray which of them it meets.
+  constexpr std::size_t few_instances = 4;
+  if (instances_.size() > few_instances) {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      hits[i] = first_hit(rays[i].ray, rays[i].range, counters, filter);
+    return;
+  }
+  for (std::size_t first = 0; first < rays.size(); first += rays_together) {
+    const std::size_t count = std::min(rays_together, rays.size() - first);
+    const std::span<SceneHit> of_these = hits.subspan(first, count);
+    std::fill(of_these.begin(), of_these.end(), SceneHit{});
+    for (std::uint32_t instance = 0; instance < instances_.size(); ++instance)
+      first_hits_of(instance, rays.subspan(first, count), of_these, counters, filter);
+    counters.rays += count;
+    for (const SceneHit& hit : of_these) counters.hits += hit.is_hit();
+  }
 }
 
 bool SceneCaster::is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,

@@ -4,6 +4,7 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "../scene/scene.hpp"
@@ -38,11 +39,15 @@ struct SceneFilter {
 /// scene views the caller's memory. Of hits at the same t the lower primitive id is first.
 class SceneCaster {
  public:
-  SceneCaster(const Scene& scene, AcceleratorKind kind);
+  /// @param isa  see build_accelerator()
+  SceneCaster(const Scene& scene, AcceleratorKind kind, Isa isa = Isa::best);
 
   /// @param range  the t that are wanted; both ends included
   SceneHit first_hit(const Ray& ray, const Interval& range, CastCounters& counters,
                      const SceneFilter& filter = {}) const;
+  /// The first hit of each ray; see Accelerator::first_hits(). @pre as many hits as rays
+  void first_hits(std::span<const ViewRay> rays, std::span<SceneHit> hits, CastCounters& counters,
+                  const SceneFilter& filter = {}) const;
   /// Whether there is any hit in the range. For p and q: Ray{p, q - p}, 0 … 1.
   bool is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,
                   const SceneFilter& filter = {}) const;
@@ -51,6 +56,7 @@ class SceneCaster {
                 const SceneFilter& filter = {}) const;
 
   AcceleratorKind kind() const { return kind_; }
+  Isa isa() const { return isa_; }
   /// Whether it was built from this scene as it is now.
   bool is_of(const Scene& scene) const;
   /// Bytes of all structures, without vertices and indices.
@@ -88,9 +94,12 @@ class SceneCaster {
   template <typename Limit, typename Visit>
   void for_each_instance(const Ray& ray, const Interval& range, CastCounters& counters, const Limit& limit,
                          const Visit& visit) const;
+  void first_hits_of(std::uint32_t instance, std::span<const ViewRay> rays, std::span<SceneHit> hits,
+                     CastCounters& counters, const SceneFilter& filter) const;
   void add_instances(const Scene& scene);
 
   AcceleratorKind kind_;
+  Isa isa_;
   std::uint64_t revision_;
   std::vector<MeshEntry> meshes_;
   std::vector<Placed> instances_;

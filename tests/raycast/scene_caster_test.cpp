@@ -87,6 +87,35 @@ TEST_CASE("a scene of instances is hit where its world triangles are, for every 
   CHECK(hits > 100);
 }
 
+TEST_CASE("rays cast together into a scene hit what each hits alone, with few instances and with many") {
+  Random random{43};
+  int hits = 0;
+  for (const int instances : {1, 3, 4, 12}) {
+    const Scene scene = random_scene(random, instances, 0.0);
+    for (const Isa isa : available_isas()) {
+      const SceneCaster caster(scene, AcceleratorKind::bvh, isa);
+      Random rays_random{44};
+      for (int i = 0; i < 30; ++i) {
+        std::vector<ViewRay> rays(11, {random_ray(rays_random), ahead});
+        for (ViewRay& ray : rays) ray.ray.origin += random_point(rays_random, 0.05);
+        std::vector<SceneHit> together(rays.size());
+        CastCounters counters, alone;
+        caster.first_hits(rays, together, counters);
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+          const SceneHit one = caster.first_hit(rays[k].ray, rays[k].range, alone);
+          CHECK(together[k].primitive == one.primitive);
+          CHECK(together[k].instance == one.instance);
+          CHECK(together[k].t == one.t);
+        }
+        CHECK(counters.rays == rays.size());
+        CHECK(counters.hits == alone.hits);
+        hits += static_cast<int>(alone.hits);
+      }
+    }
+  }
+  CHECK(hits > 1000);
+}
+
 TEST_CASE("of instances in the same place the first one is hit") {
   Scene scene;
   const std::uint32_t mesh = scene.add_mesh(shapes::cube(1.0f));
