@@ -23,11 +23,13 @@ struct ClusterBatch {
   std::vector<PlacedMesh> meshes;
   std::vector<Entry> entries;
   std::uint64_t triangles = 0;  ///< of all entries together
+  bool comes_first = false;     ///< nothing stands in front of it yet: its polygons are not tested
 
   void clear() {
     meshes.clear();
     entries.clear();
     triangles = 0;
+    comes_first = false;
   }
 };
 
@@ -47,8 +49,8 @@ class ClusterDrawer {
   virtual ~ClusterDrawer() = default;
   /// The pyramid may lag behind until publish().
   virtual void draw(const ClusterBatch& batch) = 0;
-  /// Brings visibility buffer and pyramid up to date.
-  virtual void publish() = 0;
+  /// Brings the visibility buffer up to date, and the pyramid, unless nobody asks it any more.
+  virtual void publish(bool is_last) = 0;
 };
 
 /// The plain stages, one cluster after the other, and rasterize_zbuffer: the oracle of the other.
@@ -56,7 +58,7 @@ class PlainClusters : public ClusterDrawer {
  public:
   explicit PlainClusters(const ClusterInput& input) : input_(input) {}
   void draw(const ClusterBatch& batch) override;
-  void publish() override;
+  void publish(bool is_last) override;
 
  private:
   void set_up_cluster(const ClusterBatch::PlacedMesh& placed, const MeshCluster& cluster);
@@ -102,7 +104,7 @@ class TiledClusters : public ClusterDrawer {
  public:
   TiledClusters(const ClusterInput& input, TiledClusterBuffers& buffers);
   void draw(const ClusterBatch& batch) override;
-  void publish() override;
+  void publish(bool is_last) override;
 
  private:
   using Group = TiledClusterBuffers::Group;

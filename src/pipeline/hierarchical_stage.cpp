@@ -84,7 +84,7 @@ class HierarchicalStage {
     // Few triangles hide little that was not hidden before.
     if (!buffers_.remembers || buffers_.batch.triangles >= smallest_batch) flush();
     draw_postponed();
-    flush();
+    flush(true);
   }
 
  private:
@@ -115,10 +115,10 @@ class HierarchicalStage {
     input_.progress(std::min(1.0, static_cast<double>(drawn_) / input_.scene.primitive_count()));
   }
 
-  void flush() {
+  void flush(bool is_last = false) {
     if (buffers_.batch.entries.empty() && !is_behind_) return;
     draw_batch();
-    drawer_.publish();
+    drawer_.publish(is_last);
     is_behind_ = false;
   }
 
@@ -265,6 +265,7 @@ class HierarchicalStage {
   /// Clusters seen in the frame before. Those of an instance that is outside now are forgotten.
   void draw_remembered() {
     if (!buffers_.remembers) return;
+    buffers_.batch.comes_first = true;
     for (std::uint32_t i = 0; i < input_.scene.instances().size(); ++i) {
       const auto first = buffers_.is_visible.begin() + static_cast<std::ptrdiff_t>(octrees_.first_cluster(i));
       const auto end =
@@ -281,6 +282,7 @@ class HierarchicalStage {
         if (buffers_.batch.triangles < remembered_batch) continue;
         draw_batch();
         placed.in_batch = PlacedOctree::none;
+        buffers_.batch.comes_first = true;
       }
     }
     is_behind_ = true;

@@ -12,7 +12,7 @@ void PlainClusters::draw(const ClusterBatch& batch) {
     set_up_cluster(placed, input_.octrees.mesh(mesh).cluster(entry.cluster));
   }
   // Before anything of the batch is drawn: the pyramid's level 0 is the buffer.
-  if (input_.tests_polygons) leave_out_hidden();
+  if (input_.tests_polygons && !batch.comes_first) leave_out_hidden();
   rasterize_batch();
 }
 
@@ -56,8 +56,8 @@ void PlainClusters::rasterize_batch() {
   }
 }
 
-void PlainClusters::publish() {
-  input_.pyramid.update(changed_);
+void PlainClusters::publish(bool is_last) {
+  if (!is_last) input_.pyramid.update(changed_);
   changed_ = {};
   ++input_.counters.hierarchy.batches;
 }

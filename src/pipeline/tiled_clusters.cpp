@@ -95,7 +95,7 @@ void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker
     set_up_clusters(placed, octree, octree.clusters(first.cluster, batch.entries[end - 1].cluster + 1), group,
                     worker);
   }
-  if (input_.tests_polygons) leave_out_hidden(primitives, group.counters.hierarchy);
+  if (input_.tests_polygons && !batch.comes_first) leave_out_hidden(primitives, group.counters.hierarchy);
   group.bins.sort(primitives, grid_);
 }
 
@@ -151,10 +151,11 @@ void TiledClusters::publish_tile(std::size_t index, int last_level) const {
       last_level);
 }
 
-void TiledClusters::publish() {
+void TiledClusters::publish(bool is_last) {
   ++input_.counters.hierarchy.batches;
-  const int last = std::min(tile_level, input_.pyramid.levels() - 1);
+  const int last = is_last ? 0 : std::min(tile_level, input_.pyramid.levels() - 1);
   input_.frame.executor.for_each(buffers_.states.size(), [&](std::size_t i, int) { publish_tile(i, last); });
+  if (is_last) return;
   const Rect& rect = input_.frame.rect;
   input_.pyramid.update({0, 0, rect.width, rect.height}, last + 1, input_.pyramid.levels() - 1);
 }
