@@ -82,7 +82,8 @@ Json json_of(const HierarchyCounters& c) {
           {"triangles_left_out", c.triangles_left_out},
           {"polygons_tested", c.polygons_tested},
           {"polygons_hidden", c.polygons_hidden},
-          {"polygons_hidden_at", by_level(c.polygons_hidden_at)}};
+          {"polygons_hidden_at", by_level(c.polygons_hidden_at)},
+          {"octree_bytes", c.octree_bytes}};
 }
 
 }  // namespace

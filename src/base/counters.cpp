@@ -1,5 +1,7 @@
 #include "counters.hpp"
 
+#include <algorithm>
+
 namespace velum {
 
 HierarchyCounters& HierarchyCounters::operator+=(const HierarchyCounters& other) {
@@ -15,6 +17,7 @@ HierarchyCounters& HierarchyCounters::operator+=(const HierarchyCounters& other)
   polygons_hidden += other.polygons_hidden;
   for (int i = 0; i < most_pyramid_levels; ++i) nodes_hidden_at[i] += other.nodes_hidden_at[i];
   for (int i = 0; i < most_pyramid_levels; ++i) polygons_hidden_at[i] += other.polygons_hidden_at[i];
+  octree_bytes = std::max(octree_bytes, other.octree_bytes);
   return *this;
 }
 

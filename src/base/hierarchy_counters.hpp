@@ -8,7 +8,7 @@ namespace velum {
 inline constexpr int most_pyramid_levels = 16;
 
 /// What the hierarchical method did. Deterministic for given settings and, where a Renderer is used again,
-/// for the frame before. Units: things counted.
+/// for the frame before. Units: things counted, unless said otherwise.
 struct HierarchyCounters {
   std::uint64_t batches = 0;         ///< times that triangles were drawn and the pyramid brought up to date
   std::uint64_t nodes_visited = 0;   ///< octree nodes whose box was brought to the picture
@@ -23,6 +23,8 @@ struct HierarchyCounters {
   std::uint64_t polygons_hidden = 0;                        ///< of them left out
   std::uint64_t nodes_hidden_at[most_pyramid_levels] = {};  ///< by the level that decided
   std::uint64_t polygons_hidden_at[most_pyramid_levels] = {};  ///< by the level that decided
+  std::uint64_t octree_bytes = 0;  ///< memory that the octrees over instances and meshes hold, bytes; of
+                                   ///< several frames the most
 
   HierarchyCounters& operator+=(const HierarchyCounters& other);
 };

@@ -362,6 +362,7 @@ void draw_hierarchically(const TileStageInput& input, bool uses_tiles, Hierarchi
   for (const Instance& instance : input.scene.instances()) {
     triangles += input.scene.meshes()[instance.mesh].triangles.size();
   }
+  counters.hierarchy.octree_bytes = buffers.octrees.bytes();
   counters.hierarchy.triangles_left_out += triangles - (counters.triangles - before);
   buffers.remembers = settings.remembers_visible && settings.use != HierarchyUse::polygons;
   if (buffers.remembers) mark_visible_clusters(input.scene, buffers.octrees, buffer, buffers.is_visible);

@@ -127,6 +127,7 @@ TEST_CASE("what the hierarchical method left out, and at which level, is reporte
   const json& work = part["work"]["hierarchy"];
   CHECK(work["nodes_outside"].get<int>() > 0);
   CHECK(work["nodes_hidden_at"].is_array());
+  CHECK(work["octree_bytes"].get<int>() > 1000);
   CHECK(part["counters"]["triangles"].get<int>() + work["triangles_left_out"].get<int>() ==
         whole["counters"]["triangles"].get<int>());
   CHECK(report_of(options + "hierarchical")["sha256"] == whole["sha256"]);
