@@ -40,8 +40,8 @@ WideBvh::WideBvh(const TriangleSet& triangles, Isa isa)
 
 void WideBvh::traverse(Search& search) const {
   if (tree_.is_empty()) return;
-  const auto ray = kernel_ == nullptr ? std::nullopt : wide_ray(search.ray);
-  if (!ray) {
+  WideRay ray;
+  if (kernel_ == nullptr || !make_wide_ray(search.ray, ray)) {
     traverse_wide_reference(tree_, search);
     return;
   }
@@ -50,7 +50,7 @@ void WideBvh::traverse(Search& search) const {
                               return static_cast<Decision*>(context)->meet(block, lanes);
                             }};
   WideCounts counts;
-  kernel_(tree_.view(), *ray, meeting, counts);
+  kernel_(tree_.view(), ray, meeting, counts);
   search.counters.nodes += counts.nodes;
   search.counters.boxes += counts.boxes;
   search.counters.tests += counts.tests;

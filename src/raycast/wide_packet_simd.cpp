@@ -49,7 +49,7 @@ void visit_leaves(const WideTreeView& tree, const BoxPacket& box_packet, const P
       HWY_ALIGN float entry[8];
       const std::uint32_t mask = box_packet.entered(node, upper, entry);
       if (mask != 0) {
-        current = nearest(node, mask, entry, stack);
+        current = nearest(tree, node, mask, entry, stack);
         continue;
       }
     }
@@ -67,7 +67,7 @@ HWY_INLINE bool find_leaf(const WideTreeView& tree, const BoxPacket& box_packet,
     HWY_ALIGN float entry[8];
     const std::uint32_t mask = box_packet.entered(node, upper, entry);
     if (mask != 0) {
-      current = nearest(node, mask, entry, stack);
+      current = nearest(tree, node, mask, entry, stack);
     } else if (!take_next(stack, upper, current)) {
       return false;
     }

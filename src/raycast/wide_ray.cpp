@@ -48,14 +48,13 @@ float rounded_down(double v) {
   return -rounded_up(-v);
 }
 
-std::optional<WideRay> wide_ray(const PreparedRay& ray) {
+bool make_wide_ray(const PreparedRay& ray, WideRay& wide) {
   const double scale = scale_of(ray);
   const double reach = ray.margin * reach_per_margin;
   const glm::dvec3& o = ray.ray.origin;
   const double farthest = std::max({reach, std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
-  if (!(scale > smallest_scale && scale < largest_scale)) return {};
-  if (!(reach > smallest_reach && farthest < largest_reach)) return {};
-  WideRay wide;
+  if (!(scale > smallest_scale && scale < largest_scale)) return false;
+  if (!(reach > smallest_reach && farthest < largest_reach)) return false;
   for (int axis = 0; axis < 3; ++axis) set_axis(ray, scale, reach, axis, wide);
   wide.lower = rounded_down(ray.range.lower * scale);
   wide.upper = rounded_up(ray.range.upper * scale);
@@ -66,7 +65,7 @@ std::optional<WideRay> wide_ray(const PreparedRay& ray) {
   }
   wide.shear_x = ray.shear_x;
   wide.shear_y = ray.shear_y;
-  return wide;
+  return true;
 }
 
 }  // namespace velum

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "prepared_ray.hpp"
 #include "wide_kernels.hpp"
 
@@ -15,13 +13,14 @@ double scale_of(const PreparedRay& ray);
 float rounded_up(double v);
 float rounded_down(double v);
 
-/// The ray for the vector kernels; none if its numbers are too large or too small for float32.
+/// Makes the ray for the vector kernels, in place: a copy would wait for the many small numbers.
+/// @return false if numbers are too large or too small for float32
 ///
 /// An interval that is computed from it holds the interval that PreparedRay::through() gives for the same box
 /// in double, as far as the ray is within the bounds: the margin, 2^-21 of the reach and 2^-22 of the origin,
 /// is more than the rounding of the origin (2^-24 of it), of the difference, the inverse and the product
 /// (2^-24 of the reach each). Along an axis in which the direction is less than 2^-40 of its longest, the ray
 /// moves by less than the margin; the inverse is kept at 2^40 there.
-std::optional<WideRay> wide_ray(const PreparedRay& ray);
+bool make_wide_ray(const PreparedRay& ray, WideRay& wide);
 
 }  // namespace velum

@@ -7,6 +7,7 @@
 #define VELUM_WIDE_STACK_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "wide_nodes.hpp"
@@ -48,11 +49,22 @@ HWY_INLINE std::size_t take_lowest(std::uint32_t& mask) {
   return bit;
 }
 
+/// Asks for the memory of a part: it is there, or on its way, when the branches are sorted out.
+HWY_INLINE void ask_for(const WideTreeView& tree, WideReference part) {
+  const auto* node = reinterpret_cast<const char*>(tree.nodes + part.index());
+  const auto* block = reinterpret_cast<const char*>(tree.blocks + part.index());
+  const char* memory = part.is_block() ? block : node;
+  for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(memory + 64 * line);
+}
+
 /// The nearest of the children that are entered; the others wait.
-HWY_INLINE WideReference nearest(const WideNode& node, std::uint32_t mask, const float* entry, Stack& stack) {
+HWY_INLINE WideReference nearest(const WideTreeView& tree, const WideNode& node, std::uint32_t mask,
+                                 const float* entry, Stack& stack) {
   const std::size_t first = take_lowest(mask);
+  ask_for(tree, node.child[first]);
   if (mask == 0) return node.child[first];
   const std::size_t second = take_lowest(mask);
+  ask_for(tree, node.child[second]);
   const std::size_t bottom = stack.size();
   const bool is_in_order = entry[first] <= entry[second];
   const std::size_t nearer = is_in_order ? first : second, farther = is_in_order ? second : first;

@@ -29,7 +29,7 @@ void traverse_wide(const WideTreeView& tree, const WideRay& ray, const WideMeeti
       HWY_ALIGN float entry[8];
       const std::uint32_t mask = box_ray.entered(node, upper, entry);
       if (mask != 0) {
-        current = nearest(node, mask, entry, stack);
+        current = nearest(tree, node, mask, entry, stack);
         continue;
       }
     } else {
