@@ -5,6 +5,7 @@
 #include <memory>
 #include <velum/velum.hpp>
 
+#include "agree_analytic_text.hpp"
 #include "camera_options.hpp"
 #include "input.hpp"
 #include "outputs.hpp"
@@ -25,6 +26,7 @@ struct AgreeOptions {
   int threads = 0;
   std::optional<std::string> map;
   bool json = false;
+  bool analytic = false;
 };
 
 const std::map<std::string, Cull> cull_names{
@@ -38,7 +40,8 @@ constexpr const char* footer =
     "Examples:\n"
     "  velum agree builtin:house\n"
     "  velum agree bunny.obj --projection cabinet -o map.png\n"
-    "  velum agree bunny.obj --accelerator kdtree --json";
+    "  velum agree bunny.obj --accelerator kdtree --json\n"
+    "  velum agree builtin:sphere --analytic            triangles against the equation, ever finer";
 
 /// A class as it is named and coloured.
 struct Class {
@@ -134,6 +137,7 @@ RenderSettings settings_from(const AgreeOptions& o, const Size& size) {
 int run(const AgreeOptions& o) {
   const View view = view_from(o.camera);
   RenderSettings settings = settings_from(o, view.size);
+  if (o.analytic) return agree_with_equation(o.input, view, settings, o.json);
   std::vector<Output> outputs;
   if (o.map) outputs.push_back({OutputKind::colour, "-o", *o.map});
   check_outputs(outputs);
@@ -163,6 +167,8 @@ Verb add_agree(CLI::App& program) {
   parser->add_option("-o,--output", options->map, "Draw a map of the differences: PNG or PPM")
       ->type_name("FILE");
   parser->add_flag("--json", options->json, "Print JSON");
+  parser->add_flag("--analytic", options->analytic,
+                   "Compare object ids with the shape's equation instead: sphere, icosphere, cylinder");
   add_accelerator_option(*parser, options->accelerator);
   parser->add_option("--cull", options->cull, "Triangles left out by the way they face (default: none)")
       ->check(CLI::IsMember(&cull_names));

@@ -36,3 +36,19 @@ TEST_CASE("velum agree refuses an accelerator that there is not") {
   CHECK(place.velum("agree builtin:torus --accelerator magic").code == 2);
   CHECK(place.velum("render builtin:torus --visibility raycast --depth-format 16").code == 2);
 }
+
+TEST_CASE("velum agree --analytic compares with the equation, at finer and finer tessellations") {
+  const Workplace place;
+  for (const char* shape : {"builtin:sphere", "builtin:icosphere", "builtin:cylinder"}) {
+    CAPTURE(shape);
+    const Outcome outcome = place.velum(std::string("agree --analytic --json --size 200x150 ") + shape);
+    CHECK(outcome.code == 0);
+    const nlohmann::json rows = nlohmann::json::parse(outcome.out)["tessellations"];
+    REQUIRE(rows.size() == 3);
+    for (const nlohmann::json& row : rows) CHECK(row["unexplained"] == 0);
+    CHECK(rows[2]["bound"].get<double>() < rows[0]["bound"].get<double>() / 12.0);
+    CHECK(rows[2]["silhouette"].get<int>() < rows[0]["silhouette"].get<int>());
+  }
+  CHECK(contains(place.velum("agree builtin:sphere --analytic --size 80x60").out, "0 unexplained"));
+  CHECK(place.velum("agree builtin:cube --analytic").code == 2);
+}
