@@ -21,12 +21,14 @@ void shade_rows(benchmark::State& state, const Subject& subject, Isa isa) {
                        buffer.primitive.stride(),
                        buffer.reversed_depth.row(0),
                        buffer.reversed_depth.stride(),
-                       reinterpret_cast<std::uint8_t*>(colour.row(0)),
-                       colour.stride(),
-                       depth.row(0),
-                       depth.stride(),
-                       {0, 0, 0, 0},
-                       true};
+                       {reinterpret_cast<std::uint8_t*>(colour.row(0)),
+                        colour.stride(),
+                        depth.row(0),
+                        depth.stride(),
+                        nullptr,
+                        0,
+                        {0, 0, 0, 0},
+                        true}};
   const ShadePlainRows shade = plain_rows_kernel(isa);
   for (auto _ : state) {
     benchmark::DoNotOptimize(shade(rows));

@@ -98,8 +98,8 @@ struct PictureWork {
 
 /// Draws and shades what is seen first: tile by tile while they are in cache where that will do.
 void draw_first_layer(Frame frame, ShadeStage& stage) {
-  const TileSink sink = [&stage](const VisibilityBuffer& pixels, const Rect& tile, int worker) {
-    stage.shade_tile_of(pixels, tile, worker);
+  const TileSink sink = [&stage](const TileBuffer* pixels, const Rect& tile, int worker) {
+    stage.take_tile(pixels, tile, worker);
   };
   if (stage.takes_tiles() && frame.is_for_tiles()) frame.sink = &sink;
   frame.draw_scene();

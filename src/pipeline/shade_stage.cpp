@@ -57,9 +57,10 @@ bool ShadeStage::takes_tiles() const {
   return !needs_surfaces_ && input_.wireframe == nullptr && !input_.settings.shader;
 }
 
-void ShadeStage::shade_tile_of(const VisibilityBuffer& pixels, const Rect& tile, int worker) {
-  const Rect part{tile.left - input_.rect.left, tile.top - input_.rect.top, tile.width, tile.height};
-  workers_[static_cast<std::size_t>(worker)].shaded += shade_stored(pixels, 0, 0, part);
+void ShadeStage::take_tile(const TileBuffer* pixels, const Rect& tile, int worker) {
+  const PlainOutput out = plain_output(tile.left - input_.rect.left, tile.top - input_.rect.top);
+  workers_[static_cast<std::size_t>(worker)].shaded +=
+      shade_plain_tile_({pixels, tile.width, tile.height, out});
 }
 
 void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& counters) {
@@ -71,7 +72,7 @@ void ShadeStage::shade_first_layer(const VisibilityBuffer& buffer, Counters& cou
     });
   } else {
     for_each_band(0, buffer.height(), [&](int top, int bottom, ShadeWorker& worker) {
-      worker.shaded += shade_stored(buffer, 0, top, {0, top, buffer.width(), bottom - top});
+      worker.shaded += shade_stored(buffer, {0, top, buffer.width(), bottom - top});
     });
   }
   end_first_layer(counters);
@@ -105,39 +106,37 @@ void ShadeStage::for_each_band(int top, int bottom, const Function& function) {
   });
 }
 
-/// Writes what follows from the stored depths and ids alone.
-/// @param left, top  where the part begins in the buffer
-/// @return the number of visible pixels
-std::uint64_t ShadeStage::shade_stored(const VisibilityBuffer& buffer, int left, int top,
-                                       const Rect& part) const {
-  PlainRows rows{};
-  rows.width = part.width;
-  rows.height = part.height;
-  rows.ids = buffer.primitive.row(top) + left;
-  rows.ids_stride = buffer.primitive.stride();
-  rows.reversed_depth = buffer.reversed_depth.row(top) + left;
-  rows.reversed_depth_stride = buffer.reversed_depth.stride();
+/// Where what follows from depths and ids alone goes.
+/// @param left, top  the first pixel, counted from the part that is rendered
+PlainOutput ShadeStage::plain_output(int left, int top) const {
+  PlainOutput out{};
   if (target_.depth.data != nullptr) {
-    rows.depth = target_.depth.row(part.top) + part.left;
-    rows.depth_stride = target_.depth.stride;
-  }
-  if (target_.colour.data != nullptr && !needs_surfaces_) {
-    rows.colour = reinterpret_cast<std::uint8_t*>(target_.colour.row(part.top) + part.left);
-    rows.colour_stride = target_.colour.stride;
-    std::memcpy(rows.background, &input_.settings.background, sizeof rows.background);
+    out.depth = target_.depth.row(top) + left;
+    out.depth_stride = target_.depth.stride;
   }
   if (target_.triangle_id.data != nullptr) {
-    for (int y = 0; y < part.height; ++y) {
-      std::copy_n(buffer.primitive.row(top + y) + left, part.width,
-                  target_.triangle_id.row(part.top + y) + part.left);
-    }
+    out.ids = target_.triangle_id.row(top) + left;
+    out.ids_stride = target_.triangle_id.stride;
   }
-  rows.is_large = input_.rect.width * input_.rect.height >= large_picture;
-  return shade_plain_(rows);
+  if (target_.colour.data != nullptr && !needs_surfaces_) {
+    out.colour = reinterpret_cast<std::uint8_t*>(target_.colour.row(top) + left);
+    out.colour_stride = target_.colour.stride;
+    std::memcpy(out.background, &input_.settings.background, sizeof out.background);
+  }
+  out.is_large = input_.rect.width * input_.rect.height >= large_picture;
+  return out;
+}
+
+/// Writes what follows from the stored depths and ids alone.
+/// @return the number of visible pixels
+std::uint64_t ShadeStage::shade_stored(const VisibilityBuffer& buffer, const Rect& part) const {
+  return shade_plain_rows_({part.width, part.height, buffer.primitive.row(part.top) + part.left,
+                            buffer.primitive.stride(), buffer.reversed_depth.row(part.top) + part.left,
+                            buffer.reversed_depth.stride(), plain_output(part.left, part.top)});
 }
 
 void ShadeStage::shade_tile(const VisibilityBuffer& buffer, const Rect& tile, ShadeWorker& worker) {
-  worker.shaded += shade_stored(buffer, tile.left, tile.top, tile);
+  worker.shaded += shade_stored(buffer, tile);
   for (int y = tile.top; y < tile.bottom(); ++y) {
     const std::uint32_t* const ids = buffer.primitive.row(y);
     const float* const depths = buffer.reversed_depth.row(y);

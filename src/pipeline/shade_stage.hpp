@@ -9,6 +9,7 @@
 #include "../visibility/fragment_lists.hpp"
 #include "layer_blend.hpp"
 #include "pixel_shader.hpp"
+#include "plain_tile.hpp"
 #include "row_shader.hpp"
 #include "stages.hpp"
 
@@ -55,9 +56,9 @@ class ShadeStage {
   /// drawn.
   bool takes_tiles() const;
   /// Writes a tile of the first layer; on several threads at once. @pre takes_tiles()
-  /// @param pixels  from its first on; their depths and ids
+  /// @param pixels  nullptr if nothing is seen there
   /// @param tile    in the picture
-  void shade_tile_of(const VisibilityBuffer& pixels, const Rect& tile, int worker);
+  void take_tile(const TileBuffer* pixels, const Rect& tile, int worker);
   /// To be called after the last tile.
   void end_first_layer(Counters& counters);
 
@@ -73,7 +74,8 @@ class ShadeStage {
   void for_each(std::size_t count, const Function& function);
   template <typename Function>
   void for_each_band(int top, int bottom, const Function& function);
-  std::uint64_t shade_stored(const VisibilityBuffer& buffer, int left, int top, const Rect& part) const;
+  PlainOutput plain_output(int left, int top) const;
+  std::uint64_t shade_stored(const VisibilityBuffer& buffer, const Rect& part) const;
   void shade_tile(const VisibilityBuffer& buffer, const Rect& tile, ShadeWorker& worker);
   void shade_run(const ShadeRun& run, int left, const float* reversed_depths, ShadeWorker& worker);
   void write_stretch(int y, int left, const RowShader::Stretch& stretch, ShadeWorker& worker);
@@ -88,7 +90,8 @@ class ShadeStage {
   const PictureTarget target_;
   const RowContext rows_;
   const bool needs_surfaces_;
-  const ShadePlainRows shade_plain_ = plain_rows_kernel(input_.settings.isa);
+  const ShadePlainRows shade_plain_rows_ = plain_rows_kernel(input_.settings.isa);
+  const ShadePlainTile shade_plain_tile_ = plain_tile_kernel(input_.settings.isa);
   const glm::vec4 ink_ =
       input_.wireframe == nullptr ? glm::vec4(0.0f) : wireframe_ink(input_.scene, input_.settings.background);
   LayerBuffers& layers_;

@@ -49,10 +49,7 @@ class TileStage {
     TileStageBuffers::Worker& all = buffers_.workers.front();
     for (const TileStageBuffers::Worker& worker : buffers_.workers)
       all.scratch.make_room_like(worker.scratch);
-    for (TileStageBuffers::Worker& worker : buffers_.workers) {
-      worker.scratch.make_room_like(all.scratch);
-      if (input_.sink != nullptr && worker.pixels.width() == 0) worker.pixels.reshape(tile_size, tile_size);
-    }
+    for (TileStageBuffers::Worker& worker : buffers_.workers) worker.scratch.make_room_like(all.scratch);
   }
 
   /// Puts an instance's primitives into batches; a full round is drawn.
@@ -159,13 +156,13 @@ class TileStage {
     const int left = grid_.left(index), top = grid_.top(index);
     TileStageBuffers::Worker& own = worker_of(worker);
     const bool is_drawn = draw_tile(index, left, top, own);
-    if (!is_drawn && (to_sink || !buffer_is_filled_)) load(left, top, own.tile);
     if (to_sink) {
+      const bool has_pixels = is_drawn || buffer_is_filled_;
+      if (!is_drawn && has_pixels) load(left, top, own.tile);
       const Rect tile = intersect({left, top, tile_size, tile_size}, input_.rect);
-      if (own.pixels.width() == 0) own.pixels.reshape(tile_size, tile_size);
-      store_tile(own.tile, tile, left, top, own.pixels);
-      (*input_.sink)(own.pixels, tile, worker);
+      (*input_.sink)(has_pixels ? &own.tile : nullptr, tile, worker);
     } else if (is_drawn || !buffer_is_filled_) {
+      if (!is_drawn) load(left, top, own.tile);
       store_tile(own.tile, input_.rect, left, top, buffer_);
     }
   }

@@ -16,7 +16,6 @@ struct TileStageBuffers {
     BatchScratch scratch;
     TileBuffer tile;
     TileCounts counts;
-    VisibilityBuffer pixels;  ///< of the tile, row by row, for a TileSink
   };
 
   std::vector<PlacedVertices> vertices;  ///< of the instances in the round
@@ -25,8 +24,10 @@ struct TileStageBuffers {
   std::vector<Worker> workers;
 };
 
-/// Takes the pixels of a finished tile. @param tile  in the picture
-using TileSink = std::function<void(const VisibilityBuffer& pixels, const Rect& tile, int worker)>;
+/// Takes the pixels of a finished tile.
+/// @param pixels  nullptr if nothing is seen there
+/// @param tile    in the picture
+using TileSink = std::function<void(const TileBuffer* pixels, const Rect& tile, int worker)>;
 
 /// What the stage needs to know of the frame.
 struct TileStageInput {

@@ -10,8 +10,20 @@
 
 namespace velum {
 
-/// A rectangle of pixels. Each plane has its own pointer to the first row's first pixel and its own stride,
-/// in elements, so that pictures, parts of them and tiles will do.
+/// Where a rectangle of pixels goes. Each plane has its own pointer to the first row's first pixel and its
+/// own stride, in elements; nullptr: not wanted.
+struct PlainOutput {
+  std::uint8_t* colour;  ///< red, green, blue, alpha per pixel, sRGB
+  std::ptrdiff_t colour_stride;
+  float* depth;  ///< canonical, 1 - reversed depth
+  std::ptrdiff_t depth_stride;
+  std::uint32_t* ids;
+  std::ptrdiff_t ids_stride;
+  std::uint8_t background[4];
+  bool is_large;  ///< the picture is larger than the caches: better written past them
+};
+
+/// A rectangle of pixels and where it goes.
 struct PlainRows {
   int width;
   int height;
@@ -19,12 +31,7 @@ struct PlainRows {
   std::ptrdiff_t ids_stride;
   const float* reversed_depth;  ///< background: 0
   std::ptrdiff_t reversed_depth_stride;
-  std::uint8_t* colour;  ///< out: red, green, blue, alpha per pixel, sRGB; nullptr: not wanted
-  std::ptrdiff_t colour_stride;
-  float* depth;  ///< out: canonical, 1 - reversed depth; nullptr: not wanted
-  std::ptrdiff_t depth_stride;
-  std::uint8_t background[4];
-  bool is_large;  ///< the picture is larger than the caches: better written past them
+  PlainOutput out;
 };
 
 /// Writes what is wanted: each visible pixel has the colour id_colour() of its primitive.

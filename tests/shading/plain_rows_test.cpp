@@ -21,6 +21,7 @@ struct Buffers {
   std::vector<float> reversed_depth;
   std::vector<std::uint8_t> colour;
   std::vector<float> depth;
+  std::vector<std::uint32_t> ids_out;
   bool is_large = false;
 
   Buffers(int w, int h, int room) : width(w), height(h), stride(w + room) {
@@ -29,14 +30,15 @@ struct Buffers {
     reversed_depth.resize(size);
     colour.assign(4 * size, 77);
     depth.assign(size, -7.0f);
+    ids_out.assign(size, 5);
   }
 
-  PlainRows rows(bool with_colour, bool with_depth) {
-    PlainRows rows{width,   height, ids.data(), stride, reversed_depth.data(), stride,
-                   nullptr, 0,      nullptr,    0,      {9, 8, 7, 6},          is_large};
-    if (with_colour) rows.colour = colour.data(), rows.colour_stride = stride;
-    if (with_depth) rows.depth = depth.data(), rows.depth_stride = stride;
-    return rows;
+  PlainRows rows(bool with_colour, bool with_depth, bool with_ids = true) {
+    PlainOutput out{nullptr, 0, nullptr, 0, nullptr, 0, {9, 8, 7, 6}, is_large};
+    if (with_colour) out.colour = colour.data(), out.colour_stride = stride;
+    if (with_depth) out.depth = depth.data(), out.depth_stride = stride;
+    if (with_ids) out.ids = ids_out.data(), out.ids_stride = stride;
+    return {width, height, ids.data(), stride, reversed_depth.data(), stride, out};
   }
 };
 
@@ -51,11 +53,13 @@ void check_against_reference(const Buffers& input) {
         CHECK(plain_rows_kernel(isa)(actual.rows(with_colour, with_depth)) == visible);
         CHECK(actual.colour == expected.colour);
         CHECK(actual.depth == expected.depth);
+        CHECK(actual.ids_out == expected.ids_out);
         actual = input;
         actual.is_large = true;
         CHECK(plain_rows_kernel(isa)(actual.rows(with_colour, with_depth)) == visible);
         CHECK(actual.colour == expected.colour);
         CHECK(actual.depth == expected.depth);
+        CHECK(actual.ids_out == expected.ids_out);
       }
     }
   }
