@@ -1,6 +1,6 @@
 #include <memory>
+#include <velum/visibility/draw_tile.hpp>
 #include <velum/visibility/tile_bins.hpp>
-#include <velum/visibility/tile_raster.hpp>
 #include <velum/visibility/tile_transfer.hpp>
 #include <velum/visibility/zbuffer.hpp>
 
@@ -34,13 +34,13 @@ void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
   bins.sort(primitives, grid);
   const auto tile = std::make_unique<TileBuffer>();
   const TileRaster raster = tile_raster(isa);
+  TileOrder order;
   TileCounts counts;
   for (auto _ : state) {
     for (int i = 0; i < grid.count(); ++i) {
       const TilePrimitives work = bins.of_tile(i);
       clear_tile(rect, grid.left(i), grid.top(i), *tile);
-      raster.find_occluder(work, grid.left(i), grid.top(i), *tile);
-      raster.draw(work, grid.left(i), grid.top(i), *tile, counts);
+      draw_tile(raster, {&work, 1}, grid.left(i), grid.top(i), order, *tile, counts);
       benchmark::ClobberMemory();
     }
   }

@@ -86,6 +86,7 @@ struct TiledClusterBuffers {
   struct Worker {
     PlacedVertices vertices;
     BatchScratch scratch;
+    TileOrder order;
     TileCounts counts;
   };
   enum class TileState : std::uint8_t { untouched, published, changed };

@@ -22,7 +22,7 @@ struct PlacedVertices {
 struct PrimitiveRun {
   std::uint32_t instance = 0;
   PrimitiveKind kind = PrimitiveKind::triangle;
-  std::uint32_t vertices = 0;  ///< which of the round's PlacedVertices
+  std::uint32_t vertices = 0;  ///< which of the wave's PlacedVertices
   std::uint32_t first = 0;     ///< primitives first … last-1 among those of the kind
   std::uint32_t last = 0;
 
@@ -86,7 +86,7 @@ void set_up_triangles(const BatchInput& input, const TriangleList& triangles, Sc
                       BatchScratch& scratch, Counters& counters);
 
 /// Fills the batch's bins and counters.
-/// @param vertices  those of the round
+/// @param vertices  those of the wave
 void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,
                   BatchScratch& scratch);
 

@@ -23,11 +23,10 @@ HWY_INLINE Int places_of(const SetUpWork& work, Int x, Int y) {
   const Int row = hn::Sub(y, hn::Set(ints, work.target_top));
   const Int tile =
       hn::Add(hn::Mul(hn::ShiftRight<6>(row), hn::Set(ints, work.tile_columns)), hn::ShiftRight<6>(column));
-  const Int seven = hn::Set(ints, 7);
-  const Int block = hn::Add(hn::ShiftLeft<3>(hn::And(hn::ShiftRight<3>(row), seven)),
-                            hn::And(hn::ShiftRight<3>(column), seven));
-  const Int pixel = hn::Add(hn::ShiftLeft<3>(hn::And(row, seven)), hn::And(column, seven));
-  return hn::Add(hn::ShiftLeft<12>(tile), hn::Add(hn::ShiftLeft<6>(block), pixel));
+  const Int in_column =
+      hn::Add(hn::ShiftLeft<3>(hn::And(row, hn::Set(ints, 63))), hn::And(column, hn::Set(ints, 7)));
+  const Int pixel = hn::Add(hn::ShiftLeft<6>(hn::And(column, hn::Set(ints, 56))), in_column);
+  return hn::Add(hn::ShiftLeft<12>(tile), pixel);
 }
 static_assert(tile_size == 64 && block_size == 8);
 
@@ -46,14 +45,6 @@ HWY_INLINE TinyDepth tiny_depth(const PlaneArrays& depth, std::size_t i, Int lef
           {hn::Mul(dy, hn::ConvertTo(floats, y)), hn::Mul(dy, hn::ConvertTo(floats, hn::Add(y, one)))},
           hn::Load(floats, depth.lower + i),
           hn::Load(floats, depth.upper + i)};
-}
-
-/// The ids of the listed triangles.
-HWY_INLINE void find_primitives(const SetUpWork& work, const Chunk& chunk, const ChunkList& list,
-                                std::int32_t* out) {
-  for (std::size_t i = 0; i < list.count; ++i) {
-    out[i] = static_cast<std::int32_t>(primitive_of(work, chunk.triangle[list.place[i]]));
-  }
 }
 
 /// Appends the covered centres of the listed triangles, vector by vector.

@@ -13,10 +13,14 @@ namespace {
 /// the tiles, so there are more in it where tiles are many.
 constexpr std::uint32_t smallest_batch = 4096;
 constexpr std::uint32_t tiles_per_primitive = 4;
-/// Primitives per round: bounds the memory for those that wait to be drawn.
-constexpr std::uint64_t round_size = std::uint64_t{1} << 19;
-/// Vertices per round, beyond which no further instance joins it: 8 bytes each.
-constexpr std::uint64_t round_vertices = std::uint64_t{1} << 21;
+/// Primitives set up in one go, on all threads; the vertices of their instances are kept until then.
+constexpr std::uint64_t wave_size = std::uint64_t{1} << 18;
+/// Vertices beyond which no further instance joins a wave: 8 bytes each.
+constexpr std::uint64_t wave_vertices = std::uint64_t{1} << 21;
+/// What is set up waits to be drawn until it takes as many bytes, or as many batches: tiles are loaded and
+/// stored each time.
+constexpr std::uint64_t round_bytes = std::uint64_t{1} << 25;
+constexpr std::size_t round_batches = 512;
 /// Vertices transformed in one go.
 constexpr std::size_t vertex_chunk = 8192;
 
@@ -33,6 +37,7 @@ class TileStage {
 
   void draw() {
     for (std::uint32_t i = 0; i < input_.scene.instances().size(); ++i) add_instance(i);
+    set_up_wave();
     draw_round(true);
     even_out_memory();
     for (const TileStageBuffers::Worker& worker : buffers_.workers) {
@@ -47,12 +52,16 @@ class TileStage {
   /// frame finds enough.
   void even_out_memory() {
     TileStageBuffers::Worker& all = buffers_.workers.front();
-    for (const TileStageBuffers::Worker& worker : buffers_.workers)
-      all.scratch.make_room_like(worker.scratch);
-    for (TileStageBuffers::Worker& worker : buffers_.workers) worker.scratch.make_room_like(all.scratch);
+    const auto grow = [](TileStageBuffers::Worker& worker, const TileStageBuffers::Worker& other) {
+      worker.scratch.make_room_like(other.scratch);
+      worker.work.make_room(other.work.room());
+      worker.order.make_room_like(other.order);
+    };
+    for (const TileStageBuffers::Worker& worker : buffers_.workers) grow(all, worker);
+    for (TileStageBuffers::Worker& worker : buffers_.workers) grow(worker, all);
   }
 
-  /// Puts an instance's primitives into batches; a full round is drawn.
+  /// Puts an instance's primitives into batches; a full wave is set up.
   void add_instance(std::uint32_t instance) {
     const Mesh& mesh = input_.scene.meshes()[input_.scene.instances()[instance].mesh];
     if (is_beside(input_.scene, instance, clip_from_object_of(instance), input_.settings, input_.within)) {
@@ -63,25 +72,22 @@ class TileStage {
     counters_.vertices += mesh.positions.size();
     const std::uint64_t primitives = mesh.triangles.size() + mesh.segments.size() + mesh.points.size();
     if (primitives == 0) return;
-    const std::uint64_t vertices_then = vertices_in_round_ + mesh.positions.size();
-    if (waiting_ + primitives > round_size || vertices_then > round_vertices) draw_round(false);
-    if (buffers_.used == 0) {
-      instances_in_round_ = 0;
-      vertices_in_round_ = 0;
-    }
-    vertices_in_round_ += mesh.positions.size();
-    const std::uint32_t vertices = instances_in_round_++;
-    if (buffers_.vertices.size() < instances_in_round_) buffers_.vertices.resize(instances_in_round_);
+    const std::uint64_t vertices_then = vertices_in_wave_ + mesh.positions.size();
+    if (waiting_ + primitives > wave_size || vertices_then > wave_vertices) end_wave();
+    vertices_in_wave_ += mesh.positions.size();
+    const std::uint32_t vertices = instances_in_wave_++;
+    if (buffers_.vertices.size() < instances_in_wave_) buffers_.vertices.resize(instances_in_wave_);
     transform(instance, mesh, buffers_.vertices[vertices]);
     add_runs({instance, PrimitiveKind::triangle, vertices}, mesh.triangles.size());
     add_runs({instance, PrimitiveKind::segment, vertices}, mesh.segments.size());
     add_runs({instance, PrimitiveKind::point, vertices}, mesh.points.size());
   }
 
-  /// Adds primitives 0 … count-1 of the run's kind. An instance of more than a round keeps its vertices for
-  /// the next.
+  /// Adds primitives 0 … count-1 of the run's kind.
   void add_runs(PrimitiveRun run, std::size_t count) {
     while (run.last < count) {
+      // Within an instance: it keeps its vertices for the next wave.
+      if (waiting_ >= wave_size) set_up_wave();
       PrimitiveBatch& batch = open_batch();
       run.first = run.last;
       run.last +=
@@ -89,13 +95,12 @@ class TileStage {
       batch.runs.push_back(run);
       batch.count += run.count();
       waiting_ += run.count();
-      if (waiting_ >= round_size) draw_round(false);
     }
   }
 
   /// The batch that is being filled, with room.
   PrimitiveBatch& open_batch() {
-    if (buffers_.used > 0 && buffers_.batches[buffers_.used - 1].count < batch_size_) {
+    if (buffers_.used > set_up_ && buffers_.batches[buffers_.used - 1].count < batch_size_) {
       return buffers_.batches[buffers_.used - 1];
     }
     if (buffers_.used == buffers_.batches.size()) buffers_.batches.emplace_back();
@@ -132,20 +137,38 @@ class TileStage {
     }
   }
 
-  /// Draws what waits in batches. The last round, which may have nothing left to draw, hands the tiles on.
+  /// Ends a wave between two instances.
+  void end_wave() {
+    set_up_wave();
+    instances_in_wave_ = 0;
+    vertices_in_wave_ = 0;
+  }
+
+  /// Sets up what waits in batches; where much is set up, it is drawn.
+  void set_up_wave() {
+    const BatchInput batch_input{input_.scene, input_.settings, grid_, set_up_kernel_, input_.sample};
+    const auto wave = std::span(buffers_.batches).subspan(set_up_, buffers_.used - set_up_);
+    input_.executor.for_each(wave.size(), [&](std::size_t i, int worker) {
+      set_up_batch(batch_input, buffers_.vertices, wave[i], worker_of(worker).scratch);
+    });
+    for (const PrimitiveBatch& batch : wave) {
+      counters_ += batch.counters;
+      bytes_ += batch.primitives.bytes();
+    }
+    drawn_ += waiting_;
+    waiting_ = 0;
+    set_up_ = buffers_.used;
+    if (bytes_ > round_bytes || buffers_.used > round_batches) draw_round(false);
+  }
+
+  /// Draws what is set up. The last round, which may have nothing left to draw, hands the tiles on.
   void draw_round(bool is_last) {
     if (buffers_.used == 0 && !is_last) return;
-    const BatchInput batch_input{input_.scene, input_.settings, grid_, set_up_, input_.sample};
-    input_.executor.for_each(buffers_.used, [&](std::size_t i, int worker) {
-      set_up_batch(batch_input, buffers_.vertices, buffers_.batches[i], worker_of(worker).scratch);
-    });
     input_.executor.for_each(static_cast<std::size_t>(grid_.count()), [&](std::size_t i, int worker) {
       finish_tile(static_cast<int>(i), worker, is_last && input_.sink != nullptr);
     });
-    for (std::size_t i = 0; i < buffers_.used; ++i) counters_ += buffers_.batches[i].counters;
-    drawn_ += waiting_;
-    waiting_ = 0;
-    buffers_.used = 0;
+    buffers_.used = set_up_ = 0;
+    bytes_ = 0;
     buffer_is_filled_ = true;
     const std::uint32_t primitives = input_.scene.primitive_count();
     input_.progress(primitives == 0 ? 1.0 : static_cast<double>(drawn_) / primitives);
@@ -167,36 +190,18 @@ class TileStage {
     }
   }
 
-  /// Large triangles first: what they hide need not be drawn.
   /// @return false if there is nothing to draw; then the tile is not even loaded
   bool draw_tile(int index, int left, int top, TileStageBuffers::Worker& worker) const {
-    const auto batches = std::span(buffers_.batches).first(buffers_.used);
-    bool is_loaded = false;
-    const auto load_once = [&] {
-      if (!is_loaded) load(left, top, worker.tile);
-      is_loaded = true;
-    };
-    for (const PrimitiveBatch& batch : batches) {
-      const TilePrimitives work = batch.bins.of_tile(index);
-      if (work.large_count == 0) continue;
-      load_once();
-      raster_.find_occluder(work, left, top, worker.tile);
+    TilePrimitives* const work = worker.work.make_room(buffers_.used);
+    std::size_t count = 0;
+    for (const PrimitiveBatch& batch : std::span(buffers_.batches).first(buffers_.used)) {
+      work[count] = batch.bins.of_tile(index);
+      count += !work[count].is_empty();
     }
-    const bool has_large = is_loaded;
-    for (const PrimitiveBatch& batch : batches) {
-      if (!has_large) break;
-      TilePrimitives work = batch.bins.of_tile(index);
-      work.small_count = work.fragment_count = 0;
-      if (work.large_count > 0) raster_.draw(work, left, top, worker.tile, worker.counts);
-    }
-    for (const PrimitiveBatch& batch : batches) {
-      TilePrimitives work = batch.bins.of_tile(index);
-      work.large_count = 0;
-      if (work.small_count + work.fragment_count == 0) continue;
-      load_once();
-      raster_.draw(work, left, top, worker.tile, worker.counts);
-    }
-    return is_loaded;
+    if (count == 0) return false;
+    load(left, top, worker.tile);
+    velum::draw_tile(raster_, {work, count}, left, top, worker.order, worker.tile, worker.counts);
+    return true;
   }
 
   void load(int left, int top, TileBuffer& tile) const {
@@ -219,26 +224,29 @@ class TileStage {
   const std::uint32_t batch_size_ =
       std::max(smallest_batch, static_cast<std::uint32_t>(grid_.count()) / tiles_per_primitive);
   const TransformVertices transform_ = transform_kernel(input_.settings.isa);
-  const SetUpTriangles set_up_ = set_up_kernel(input_.settings.isa);
+  const SetUpTriangles set_up_kernel_ = set_up_kernel(input_.settings.isa);
   const TileRaster raster_ = tile_raster(input_.settings.isa);
-  std::uint32_t instances_in_round_ = 0;
-  std::uint64_t vertices_in_round_ = 0;
-  std::uint64_t waiting_ = 0;      ///< primitives in batches
-  std::uint64_t drawn_ = 0;        ///< primitives of earlier rounds
+  std::uint32_t instances_in_wave_ = 0;
+  std::uint64_t vertices_in_wave_ = 0;
+  std::uint64_t waiting_ = 0;      ///< primitives in batches that are not set up
+  std::size_t set_up_ = 0;         ///< as many of the batches in use are
+  std::uint64_t bytes_ = 0;        ///< that these take
+  std::uint64_t drawn_ = 0;        ///< primitives of all batches that have been set up
   bool buffer_is_filled_ = false;  ///< with what earlier rounds drew
 };
 
 }  // namespace
 
 std::uint64_t tile_stage_bytes(const Scene& scene) {
-  std::uint64_t all = 0, most = round_vertices;
+  std::uint64_t all = 0, most = wave_vertices;
   for (const Instance& instance : scene.instances()) {
     const std::uint64_t vertices = scene.meshes()[instance.mesh].positions.size();
     all += vertices;
-    most = std::max(most, vertices);  // a mesh of more is a round's by itself
+    most = std::max(most, vertices);  // a mesh of more is a wave's by itself
   }
+  const std::uint64_t of_primitives = scene.primitive_count() * std::uint64_t{sizeof(RasterTriangle)};
   return std::min(all, most) * sizeof(PlacedVertex) +
-         std::min<std::uint64_t>(scene.primitive_count(), round_size) * sizeof(RasterTriangle);
+         std::min(of_primitives, round_bytes + wave_size * sizeof(RasterTriangle));
 }
 
 void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../base/executor.hpp"
-#include "../visibility/tile_raster.hpp"
+#include "../visibility/draw_tile.hpp"
 #include "primitive_batch.hpp"
 
 namespace velum {
@@ -14,11 +14,13 @@ struct TileStageBuffers {
   /// Memory of one worker.
   struct Worker {
     BatchScratch scratch;
+    KeptArray<TilePrimitives> work;  ///< what meets the tile, batch by batch
+    TileOrder order;
     TileBuffer tile;
     TileCounts counts;
   };
 
-  std::vector<PlacedVertices> vertices;  ///< of the instances in the round
+  std::vector<PlacedVertices> vertices;  ///< of the instances in the wave
   std::vector<PrimitiveBatch> batches;   ///< the first `used` of them are the round's
   std::size_t used = 0;
   std::vector<Worker> workers;
@@ -45,14 +47,14 @@ struct TileStageInput {
   Rect within = rect;  ///< instances that lie beside this are left out; holds `rect`
 };
 
-/// Bytes that a round of the stage takes, as a rule: the vertices of its instances, and its primitives sorted
-/// into tiles. What each worker has, and what is told of large triangles tile by tile, comes on top.
+/// Bytes that the stage takes, as a rule: the vertices of a wave of instances, and the primitives of a round.
+/// What each worker has, and what is told of large triangles tile by tile, comes on top.
 std::uint64_t tile_stage_bytes(const Scene& scene);
 
-/// The production z-buffer: rounds of primitives are transformed, set up and sorted into tiles, then each
-/// tile draws its primitives while it stays in cache (sort-middle: Molnar, Cox, Ellsworth & Fuchs 1994, "A
-/// Sorting Classification of Parallel Rendering"). Each step runs on all threads; since the smaller
-/// (depth, id) wins in any order, the buffer is rasterize_zbuffer's to the bit.
+/// The production z-buffer: primitives are transformed, set up and sorted into tiles, wave by wave; when they
+/// are many, or all, each tile draws its primitives while it stays in cache (sort-middle: Molnar, Cox,
+/// Ellsworth & Fuchs 1994, "A Sorting Classification of Parallel Rendering"). Each step runs on all threads;
+/// since the smaller (depth, id) wins in any order, the buffer is rasterize_zbuffer's to the bit.
 /// @param buffer  is given rect's size
 void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
                    Counters& counters);

@@ -134,8 +134,7 @@ void TiledClusters::draw_tile(std::size_t index, Worker& worker) const {
     if (primitives.is_empty()) continue;
     if (state == TiledClusterBuffers::TileState::untouched) clear_tile(input_.frame.rect, left, top, buffer);
     state = TiledClusterBuffers::TileState::changed;
-    if (primitives.large_count > 0) raster_.find_occluder(primitives, left, top, buffer);
-    raster_.draw(primitives, left, top, buffer, worker.counts);
+    velum::draw_tile(raster_, {&primitives, 1}, left, top, worker.order, buffer, worker.counts);
   }
 }
 

@@ -78,6 +78,11 @@ void ScreenPrimitives::clear() {
   box = {};
 }
 
+std::uint64_t ScreenPrimitives::bytes() const {
+  return large_count * sizeof(RasterTriangle) + small_count * sizeof(SmallTriangle) +
+         fragment_count * sizeof(RasterFragment);
+}
+
 void ScreenPrimitives::make_room(std::size_t triangles) {
   large.make_room(large_count + triangles, large_count);
   small.make_room(small_count + triangles, small_count);

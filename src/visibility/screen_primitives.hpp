@@ -31,6 +31,8 @@ struct ScreenPrimitives {
   PixelBox box;  ///< around all of them
 
   void clear();
+  /// That are in use.
+  std::uint64_t bytes() const;
   /// Makes room for as many triangles more.
   void make_room(std::size_t triangles);
 };

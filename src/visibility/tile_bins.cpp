@@ -1,7 +1,6 @@
 #include "tile_bins.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace velum {
 namespace {
@@ -23,26 +22,43 @@ TileRange tiles_of(int left, int top, int right, int bottom, const TileGrid& gri
   return {column(left), row(top), column(right), row(bottom)};
 }
 
-TileRange tiles_of(const SmallTriangle& t, const TileGrid& grid) {
-  return tiles_of(t.left, t.top, t.right, t.bottom, grid);
-}
-
-TileRange tiles_of(const RasterTriangle& t, const TileGrid& grid) {
+/// The pixels of the target whose centres lie in the triangle's box.
+PixelBox centres_in_box(const RasterTriangle& t, const Rect& target) {
   constexpr std::int32_t half = subpixels / 2;
-  const Rect& target = grid.target;
   const auto [x_min, x_max] = std::minmax({t.x[0], t.x[1], t.x[2]});
   const auto [y_min, y_max] = std::minmax({t.y[0], t.y[1], t.y[2]});
-  return tiles_of(std::max((x_min + half - 1) >> subpixel_bits, target.left),
-                  std::max((y_min + half - 1) >> subpixel_bits, target.top),
-                  std::min((x_max - half) >> subpixel_bits, target.right() - 1),
-                  std::min((y_max - half) >> subpixel_bits, target.bottom() - 1), grid);
+  return {std::max((x_min + half - 1) >> subpixel_bits, target.left),
+          std::max((y_min + half - 1) >> subpixel_bits, target.top),
+          std::min((x_max - half) >> subpixel_bits, target.right() - 1),
+          std::min((y_max - half) >> subpixel_bits, target.bottom() - 1)};
 }
 
-/// Calls visit(tile) for every tile of the range.
+TileRange tiles_of(const PixelBox& box, const TileGrid& grid) {
+  return tiles_of(box.left, box.top, box.right, box.bottom, grid);
+}
+
+/// The largest reversed depth of the triangle's plane over a tile: it stands at a corner.
+float nearest_in(const RasterTriangle& t, int left, int top) {
+  const int x = (t.dx > 0.0f ? left + tile_size - 1 : left) - t.x_ref;
+  const int y = (t.dy > 0.0f ? top + tile_size - 1 : top) - t.y_ref;
+  const float r = (t.r_ref + t.dx * static_cast<float>(x)) + t.dy * static_cast<float>(y);
+  return r < t.lower ? t.lower : (r > t.upper ? t.upper : r);
+}
+
+/// @param box  centres_in_box()
+LargeEntry large_entry(const RasterTriangle& t, const PixelBox& box, std::uint32_t index, int left, int top,
+                       const Rect& target) {
+  const bool may_occlude = box.left <= std::max(left, target.left) && box.top <= std::max(top, target.top) &&
+                           box.right >= std::min(left + tile_size, target.right()) - 1 &&
+                           box.bottom >= std::min(top + tile_size, target.bottom()) - 1;
+  return {index, nearest_in(t, left, top), may_occlude};
+}
+
+/// Calls visit(column, row) for every tile of the range.
 template <typename Visit>
-void for_each_tile(const TileRange& range, const TileGrid& grid, const Visit& visit) {
+void for_each_tile(const TileRange& range, const Visit& visit) {
   for (int row = range.top; row <= range.bottom; ++row) {
-    for (int column = range.left; column <= range.right; ++column) visit(row * grid.columns + column);
+    for (int column = range.left; column <= range.right; ++column) visit(column, row);
   }
 }
 
@@ -50,9 +66,27 @@ void for_each_tile(const TileRange& range, const TileGrid& grid, const Visit& vi
 bool meet_too_many_tiles(const ScreenPrimitives& primitives, const TileGrid& grid) {
   std::uint64_t entries = 0;
   for (std::size_t i = 0; i < primitives.large_count; ++i) {
-    entries += static_cast<std::uint64_t>(tiles_of(primitives.large[i], grid).count());
+    entries +=
+        static_cast<std::uint64_t>(tiles_of(centres_in_box(primitives.large[i], grid.target), grid).count());
   }
   return entries > most_tile_entries;
+}
+
+/// Of what counts in blocks.
+template <typename Box>
+TileRange tiles_of(const Box& box) {
+  return {box.left / blocks_per_tile, box.top / blocks_per_tile, box.right / blocks_per_tile,
+          box.bottom / blocks_per_tile};
+}
+
+/// Those of a box's blocks that lie in a tile.
+template <typename Box>
+BlockBox blocks_in_tile(const Box& box, int column, int row) {
+  const int x = column * blocks_per_tile, y = row * blocks_per_tile;
+  const auto part = [](int block) {
+    return static_cast<std::uint8_t>(std::clamp(block, 0, blocks_per_tile - 1));
+  };
+  return {part(box.left - x), part(box.top - y), part(box.right - x), part(box.bottom - y)};
 }
 
 }  // namespace
@@ -68,11 +102,10 @@ void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
   First* const next = first + 2 - first_tile_;
   large_are_sorted_ = !meet_too_many_tiles(primitives, grid);
   for (std::size_t i = 0; large_are_sorted_ && i < primitives.large_count; ++i) {
-    for_each_tile(tiles_of(primitives.large[i], grid), grid, [&](int tile) { ++next[tile].large; });
+    for_each_tile(tiles_of(centres_in_box(primitives.large[i], grid.target), grid),
+                  [&](int column, int row) { ++next[row * grid.columns + column].large; });
   }
-  for (std::size_t i = 0; i < primitives.small_count; ++i) {
-    for_each_tile(tiles_of(primitives.small[i], grid), grid, [&](int tile) { ++next[tile].small; });
-  }
+  count_small(primitives, grid, next);
   for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
     ++next[primitives.fragments[i].place / tile_pixels].fragment;
   }
@@ -83,25 +116,49 @@ void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
   }
 }
 
+void TileBins::count_small(const ScreenPrimitives& primitives, const TileGrid& grid, First* next) {
+  SmallBox* const boxes = boxes_.make_room(primitives.small_count);
+  for (std::size_t i = 0; i < primitives.small_count; ++i) {
+    const SmallTriangle& t = primitives.small[i];
+    const auto block = [](int pixel) {
+      return static_cast<std::uint16_t>(static_cast<unsigned>(pixel) / block_size);
+    };
+    boxes[i] = {block(t.left - grid.target.left), block(t.top - grid.target.top),
+                block(t.right - grid.target.left), block(t.bottom - grid.target.top), t.upper};
+    for_each_tile(tiles_of(boxes[i]),
+                  [&](int column, int row) { ++next[row * grid.columns + column].small; });
+  }
+}
+
 // While primitives come in, first_[tile + 1] moves from the tile's beginning to its end.
 
 void TileBins::place_large(const ScreenPrimitives& primitives, const TileGrid& grid) {
   const auto count = static_cast<std::uint32_t>(primitives.large_count);
   First* const next = first_.data() + 1 - first_tile_;
-  std::uint32_t* const large = large_.make_room(large_are_sorted_ ? next[end_tile_].large : count);
-  if (!large_are_sorted_) return std::iota(large, large + count, 0u);
+  LargeEntry* const large = large_.make_room(large_are_sorted_ ? next[end_tile_].large : count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    for_each_tile(tiles_of(primitives.large[i], grid), grid,
-                  [&](int tile) { large[next[tile].large++] = i; });
+    const RasterTriangle& triangle = primitives.large[i];
+    if (!large_are_sorted_) {
+      large[i] = {i, triangle.upper, true};
+      continue;
+    }
+    const PixelBox box = centres_in_box(triangle, grid.target);
+    for_each_tile(tiles_of(box, grid), [&](int column, int row) {
+      const int tile = row * grid.columns + column;
+      large[next[tile].large++] = large_entry(triangle, box, i, grid.left(tile), grid.top(tile), grid.target);
+    });
   }
 }
 
-void TileBins::place_small(const ScreenPrimitives& primitives, const TileGrid& grid) {
+void TileBins::place_small(std::size_t count, const TileGrid& grid) {
   First* const next = first_.data() + 1 - first_tile_;
-  std::uint32_t* const small = small_.make_room(next[end_tile_].small);
-  for (std::uint32_t i = 0; i < primitives.small_count; ++i) {
-    for_each_tile(tiles_of(primitives.small[i], grid), grid,
-                  [&](int tile) { small[next[tile].small++] = i; });
+  SmallEntry* const small = small_.make_room(next[end_tile_].small);
+  for (std::size_t i = 0; i < count; ++i) {
+    const SmallBox& box = boxes_[i];
+    for_each_tile(tiles_of(box), [&](int column, int row) {
+      small[next[row * grid.columns + column].small++] = {static_cast<std::uint32_t>(i), box.nearest,
+                                                          blocks_in_tile(box, column, row)};
+    });
   }
 }
 
@@ -115,11 +172,13 @@ void TileBins::place_fragments(const ScreenPrimitives& primitives) {
 }
 
 void TileBins::sort(const ScreenPrimitives& primitives, const TileGrid& grid) {
-  primitives_ = &primitives;
+  large_triangles_ = primitives.large.data();
+  small_triangles_ = primitives.small.data();
+  large_count_ = primitives.large_count;
   count(primitives, grid);
   if (end_tile_ == first_tile_) return;
   place_large(primitives, grid);
-  place_small(primitives, grid);
+  place_small(primitives.small_count, grid);
   place_fragments(primitives);
 }
 
@@ -128,11 +187,11 @@ TilePrimitives TileBins::of_tile(int tile) const {
   const First& first = first_[static_cast<std::size_t>(tile - first_tile_)];
   const First& end = first_[static_cast<std::size_t>(tile - first_tile_) + 1];
   TilePrimitives work{};
-  work.large = primitives_->large.data();
-  work.large_indices = large_.data() + (large_are_sorted_ ? first.large : 0);
-  work.large_count = large_are_sorted_ ? end.large - first.large : primitives_->large_count;
-  work.small = primitives_->small.data();
-  work.small_indices = small_.data() + first.small;
+  work.large = large_triangles_;
+  work.large_entries = large_.data() + (large_are_sorted_ ? first.large : 0);
+  work.large_count = large_are_sorted_ ? end.large - first.large : large_count_;
+  work.small = small_triangles_;
+  work.small_entries = small_.data() + first.small;
   work.small_count = end.small - first.small;
   work.fragments = fragments_.data() + first.fragment;
   work.fragment_count = end.fragment - first.fragment;

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t most_tile_entries = std::uint64_t{1} << 18;
 class TileBins {
  public:
   /// Sorts by counting, so that each tile has its primitives in their order.
-  /// @param primitives  must outlive every further call
+  /// @param primitives  its arrays must stay as they are until the last call of of_tile()
   void sort(const ScreenPrimitives& primitives, const TileGrid& grid);
 
   /// The primitives that meet the tile. For the large ones: those, or all.
@@ -28,19 +28,30 @@ class TileBins {
     std::uint32_t large, small, fragment;
   };
 
+  /// What is needed of a small triangle: the blocks that its box meets, counted from the target's first
+  /// pixel, and its nearest depth.
+  struct SmallBox {
+    std::uint16_t left, top, right, bottom;
+    float nearest;
+  };
+
   void count(const ScreenPrimitives& primitives, const TileGrid& grid);
+  void count_small(const ScreenPrimitives& primitives, const TileGrid& grid, First* next);
   void place_large(const ScreenPrimitives& primitives, const TileGrid& grid);
-  void place_small(const ScreenPrimitives& primitives, const TileGrid& grid);
+  void place_small(std::size_t count, const TileGrid& grid);
   void place_fragments(const ScreenPrimitives& primitives);
 
-  const ScreenPrimitives* primitives_ = nullptr;
+  const RasterTriangle* large_triangles_ = nullptr;
+  const SmallTriangle* small_triangles_ = nullptr;
+  std::size_t large_count_ = 0;
   int first_tile_ = 0;  ///< tiles first_tile_ … end_tile_-1 may have something
   int end_tile_ = 0;
   bool large_are_sorted_ = true;
+  KeptArray<SmallBox> boxes_;
   // All of these tile after tile.
   KeptArray<First> first_;  ///< of each of these tiles, and one more at the end
-  KeptArray<std::uint32_t> large_;
-  KeptArray<std::uint32_t> small_;
+  KeptArray<LargeEntry> large_;
+  KeptArray<SmallEntry> small_;
   KeptArray<RasterFragment> fragments_;
 };
 

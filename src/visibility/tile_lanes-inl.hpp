@@ -61,22 +61,19 @@ struct DepthLanes {
   }
 };
 
-/// is_nearer as integers: r > buffer, or r = buffer and the id is smaller.
-HWY_INLINE hn::Mask<Ints> nearer(Int r, Int id, Int buffer_r, Int buffer_id) {
-  const Int wins_ties = hn::VecFromMask(ints, hn::Gt(buffer_id, id));
-  return hn::Gt(r, hn::Add(buffer_r, wins_ties));
-}
-
-/// Compares and writes the lanes where `outside` is not negative.
+/// Keeps the nearer, lane by lane: r > buffer, or r = buffer and the smaller id; only where `outside` is not
+/// negative. As integers; depths are never negative.
 /// @return the depths that stand there now
 HWY_INLINE Int merge(Int r, Int id, Int outside, std::int32_t* depth, std::int32_t* primitive) {
   const Int old_r = hn::Load(ints, depth);
   const Int old_id = hn::Load(ints, primitive);
-  const auto is_nearer_there = nearer(r, id, old_r, old_id);
-  const auto write = hn::And(is_nearer_there, hn::Not(hn::Lt(outside, hn::Zero(ints))));
-  const Int new_r = hn::IfThenElse(write, r, old_r);
+  const Int sign = hn::Set(ints, INT32_MIN);
+  const Int r_inside = hn::Or(r, hn::And(outside, sign));  // negative outside: nearer than nothing
+  const Int wins_ties = hn::VecFromMask(ints, hn::Gt(old_id, id));
+  const auto wins = hn::Gt(r_inside, hn::Add(old_r, wins_ties));
+  const Int new_r = hn::Max(old_r, r_inside);
   hn::Store(new_r, ints, depth);
-  hn::Store(hn::IfThenElse(write, id, old_id), ints, primitive);
+  hn::Store(hn::IfThenElse(wins, id, old_id), ints, primitive);
   return new_r;
 }
 

@@ -100,11 +100,7 @@ HWY_INLINE float depth_at(const Triangle& t, int x_from_ref, int y_from_ref) {
   const float r = (t.r_ref + t.dx * static_cast<float>(x_from_ref)) + t.dy * static_cast<float>(y_from_ref);
   return r < t.lower ? t.lower : (r > t.upper ? t.upper : r);
 }
-/// The largest and smallest reversed depth over a window; they stand at its corners.
-HWY_INLINE float nearest_in(const RasterTriangle& t, const TileTriangle& s) {
-  return depth_at(t, s.x_from_ref + (t.dx > 0.0f ? s.x.last : s.x.first),
-                  s.y_from_ref + (t.dy > 0.0f ? s.y.last : s.y.first));
-}
+/// The smallest reversed depth over a window; it stands at a corner.
 HWY_INLINE float farthest_in(const RasterTriangle& t, const TileTriangle& s) {
   return depth_at(t, s.x_from_ref + (t.dx > 0.0f ? s.x.first : s.x.last),
                   s.y_from_ref + (t.dy > 0.0f ? s.y.first : s.y.last));
@@ -249,13 +245,6 @@ HWY_INLINE float farthest_of_all(const TileBuffer& tile) {
 HWY_INLINE void draw_large(const RasterTriangle& t, int left, int top, TileBuffer& tile, TileCounts& counts) {
   TileTriangle s;
   if (!enter_tile(t, left, top, tile, s)) return;
-  if (tile.has_occluder) {
-    const float nearest = nearest_in(t, s);
-    if (nearest < tile.occluder || nearest < farthest_of_all(tile)) {
-      ++counts.hidden_triangles;
-      return;
-    }
-  }
   const PixelSpan window_x{s.x.first & -block_size, s.x.last | (block_size - 1)};
   const PixelSpan window_y{s.y.first & -block_size, s.y.last | (block_size - 1)};
   if (set_up_edges(t, left, top, window_x, window_y, s)) draw_blocks(t, s, tile, counts);

@@ -16,13 +16,32 @@ struct TileCounts {
   std::uint64_t drawn_blocks = 0;      ///< blocks of larger triangles that were looked at pixel by pixel
 };
 
-/// What meets a tile. Triangles stand anywhere, the indices tell which.
+/// Blocks of a tile: columns first_column … last_column of rows first_row … last_row.
+struct BlockBox {
+  std::uint8_t first_column, first_row, last_column, last_row;
+};
+
+/// A small triangle that meets a tile, and what tells whether it is hidden there: such need not be fetched.
+struct SmallEntry {
+  std::uint32_t index;
+  float nearest;    ///< SmallTriangle::upper
+  BlockBox blocks;  ///< that its box meets
+};
+
+/// A large triangle that meets a tile.
+struct LargeEntry {
+  std::uint32_t index;
+  float nearest;     ///< nothing of it is nearer in the tile
+  bool may_occlude;  ///< its box contains the tile
+};
+
+/// What meets a tile. Triangles stand anywhere, the entries tell which.
 struct TilePrimitives {
   const RasterTriangle* large;
-  const std::uint32_t* large_indices;
+  const LargeEntry* large_entries;
   std::size_t large_count;
   const SmallTriangle* small;
-  const std::uint32_t* small_indices;
+  const SmallEntry* small_entries;
   std::size_t small_count;
   const RasterFragment* fragments;
   std::size_t fragment_count;
@@ -30,20 +49,40 @@ struct TilePrimitives {
   bool is_empty() const { return large_count + small_count + fragment_count == 0; }
 };
 
+/// A SmallEntry and its triangle.
+struct SmallInTile {
+  const SmallTriangle* triangle;
+  float nearest;
+  BlockBox blocks;
+};
+
+/// A LargeEntry and its triangle.
+struct LargeInTile {
+  const RasterTriangle* triangle;
+  float nearest;
+};
+
 /// The kernels of the tile raster. Coverage comes from integer edge functions (Pineda 1988), as many pixels
 /// at a time as a vector holds; larger triangles go block by block, blocks wholly outside, or wholly behind
 /// what the block shows, left out (Greene 1996; McCormack & McNamara 2000). What they leave in the tile is
 /// what rasterize_zbuffer leaves in the visibility buffer, to the bit, in whichever order they are called.
 struct TileRaster {
-  /// Draws primitives. @param left, top  the tile's first pixel in the picture
+  /// @param left, top  the tile's first pixel in the picture
   /// @pre coordinates are within ±2²³
-  using Draw = void (*)(const TilePrimitives& work, int left, int top, TileBuffer& tile, TileCounts& counts);
+  using OfLarge = void (*)(const LargeInTile* triangles, std::size_t count, int left, int top,
+                           TileBuffer& tile, TileCounts& counts);
+  using OfSmall = void (*)(const SmallInTile* triangles, std::size_t count, int left, int top,
+                           TileBuffer& tile, TileCounts& counts);
+  using OfFragments = void (*)(const RasterFragment* fragments, std::size_t count, TileBuffer& tile);
+
   /// Looks for a large triangle that covers the whole tile: what lies behind it will be hidden, and need not
   /// be drawn even where it comes first. Raises tile.occluder.
-  using FindOccluder = void (*)(const TilePrimitives& work, int left, int top, TileBuffer& tile);
-
-  Draw draw;
-  FindOccluder find_occluder;
+  void (*find_occluder)(const TilePrimitives& work, int left, int top, TileBuffer& tile);
+  OfLarge draw_large;
+  OfSmall draw_small;
+  /// Raises tile.farthest where small triangles have been drawn.
+  void (*find_farthest)(TileBuffer& tile);
+  OfFragments draw_fragments;
 };
 
 /// The kernels for an instruction set. @pre is_available(isa), and not `reference`

@@ -17,22 +17,61 @@ namespace HWY_NAMESPACE {
 
 /// Triangles come from the whole batch: those of as many turns on are asked for beforehand.
 constexpr std::size_t small_ahead = 8;
-
-void draw_in_tile(const TilePrimitives& work, int left, int top, TileBuffer& tile, TileCounts& counts) {
-  for (std::size_t i = 0; i < work.large_count; ++i) {
-    draw_large(work.large[work.large_indices[i]], left, top, tile, counts);
-  }
-  for (std::size_t i = 0; i < work.small_count; ++i) {
-    if (i + small_ahead < work.small_count) hwy::Prefetch(work.small + work.small_indices[i + small_ahead]);
-    draw_small(work.small[work.small_indices[i]], left, top, tile, counts);
-  }
-  draw_fragments(work.fragments, work.fragment_count, tile);
-}
+constexpr std::size_t large_ahead = 3;
 
 void find_tile_occluder(const TilePrimitives& work, int left, int top, TileBuffer& tile) {
   for (std::size_t i = 0; i < work.large_count; ++i) {
-    raise_occluder(work.large[work.large_indices[i]], left, top, tile);
+    const LargeEntry& entry = work.large_entries[i];
+    if (entry.may_occlude) raise_occluder(work.large[entry.index], left, top, tile);
   }
+}
+
+void draw_large_in_tile(const LargeInTile* triangles, std::size_t count, int left, int top, TileBuffer& tile,
+                        TileCounts& counts) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + large_ahead < count) hwy::Prefetch(triangles[i + large_ahead].triangle);
+    if (tile.has_occluder && triangles[i].nearest < HWY_MAX(tile.occluder, farthest_of_all(tile))) {
+      ++counts.hidden_triangles;
+    } else {
+      draw_large(*triangles[i].triangle, left, top, tile, counts);
+    }
+  }
+}
+
+/// Fills in the numbers of those that are not hidden. @return how many
+HWY_INLINE std::size_t find_seen(const SmallInTile* triangles, std::size_t count, const TileBuffer& tile,
+                                 std::uint32_t* out) {
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    out[seen] = static_cast<std::uint32_t>(i);
+    seen += !(triangles[i].nearest < farthest_in(triangles[i].blocks, tile));
+  }
+  return seen;
+}
+
+void draw_small_in_tile(const SmallInTile* triangles, std::size_t count, int left, int top, TileBuffer& tile,
+                        TileCounts& counts) {
+  constexpr std::size_t most_at_once = 1024;
+  std::uint32_t seen[most_at_once];
+  for (std::size_t first = 0; first < count; first += most_at_once) {
+    const std::size_t here = HWY_MIN(most_at_once, count - first);
+    const std::size_t seen_count = find_seen(triangles + first, here, tile, seen);
+    counts.hidden_triangles += here - seen_count;
+    for (std::size_t i = 0; i < seen_count; ++i) {
+      if (i + small_ahead < seen_count) hwy::Prefetch(triangles[first + seen[i + small_ahead]].triangle);
+      const SmallInTile& t = triangles[first + seen[i]];
+      tile.touched |= bits_of(t.blocks);
+      draw_small(*t.triangle, left, top, tile);
+    }
+  }
+}
+
+void find_farthest_in_tile(TileBuffer& tile) {
+  raise_farthest(tile);
+}
+
+void draw_fragments_in_tile(const RasterFragment* fragments, std::size_t count, TileBuffer& tile) {
+  draw_fragments(fragments, count, tile);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -43,9 +82,12 @@ HWY_AFTER_NAMESPACE();
 namespace velum {
 
 TileRaster tile_raster(Isa isa) {
-  static constexpr auto draw = VELUM_KERNEL_VERSIONS(draw_in_tile);
   static constexpr auto find_occluder = VELUM_KERNEL_VERSIONS(find_tile_occluder);
-  return {draw.at(isa), find_occluder.at(isa)};
+  static constexpr auto large = VELUM_KERNEL_VERSIONS(draw_large_in_tile);
+  static constexpr auto small = VELUM_KERNEL_VERSIONS(draw_small_in_tile);
+  static constexpr auto farthest = VELUM_KERNEL_VERSIONS(find_farthest_in_tile);
+  static constexpr auto fragments = VELUM_KERNEL_VERSIONS(draw_fragments_in_tile);
+  return {find_occluder.at(isa), large.at(isa), small.at(isa), farthest.at(isa), fragments.at(isa)};
 }
 
 }  // namespace velum

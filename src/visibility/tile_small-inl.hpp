@@ -15,86 +15,92 @@ namespace velum {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A small triangle in every lane: edge functions and depth, and how they differ from lane to lane.
-struct SmallLanes {
-  const DepthLanes plane;
-  const Int id;
-  Int edge[3];  ///< the lanes' differences to the first lane
-  Int down[3];  ///< the step to the rows that are drawn next
+/// The edge functions of a small triangle and their steps.
+struct SmallEdges {
+  Int value[3];   ///< at the pixels that the lanes stand for
+  Int across[3];  ///< to the strip on the right
+  Int down[3];    ///< to the rows that are drawn next
 
-  HWY_INLINE explicit SmallLanes(const SmallTriangle& t)
-      : plane(t), id(hn::Set(ints, static_cast<std::int32_t>(t.primitive ^ 0x80000000u))) {
+  /// @param x, y  the first lane's pixel, from the triangle's first
+  HWY_INLINE SmallEdges(const SmallTriangle& t, int x, int y) {
     for (int i = 0; i < 3; ++i) {
-      const Int x = hn::Set(ints, t.step_x[i]), y = hn::Set(ints, t.step_y[i]);
-      edge[i] = hn::Add(hn::Mul(x, lane_column()), hn::Mul(y, lane_row()));
+      const Int step_x = hn::Set(ints, t.step_x[i]), step_y = hn::Set(ints, t.step_y[i]);
+      const Int lanes = hn::Add(hn::Mul(step_x, lane_column()), hn::Mul(step_y, lane_row()));
+      value[i] = hn::Add(hn::Set(ints, t.edge[i] + t.step_x[i] * x + t.step_y[i] * y), lanes);
+      across[i] = hn::Set(ints, t.step_x[i] * strip_width);
       down[i] = hn::Set(ints, t.step_y[i] * rows_at_once);
     }
   }
-
-  /// Edge i at the pixels that begin with offset (x, y) from the triangle's first pixel.
-  HWY_INLINE Int edge_at(const SmallTriangle& t, int i, int x, int y) const {
-    return hn::Add(hn::Set(ints, t.edge[i] + t.step_x[i] * x + t.step_y[i] * y), edge[i]);
-  }
 };
 
-/// Draws a small triangle's rows first … last of one block.
-/// @param x, y  the block's first pixel in the picture
-HWY_INLINE void draw_small_in_block(const SmallTriangle& t, const SmallLanes& s, int x, int y, int first,
-                                    int last, std::int32_t* depth, std::int32_t* primitive) {
-  first &= -rows_at_once;
-  const Float fx = hn::ConvertTo(floats, lane_column());
-  const Float fy = hn::ConvertTo(floats, lane_row());
-  for (int strip = 0; strip < block_size; strip += strip_width) {
-    Int e0 = s.edge_at(t, 0, x + strip - t.left, y + first - t.top);
-    Int e1 = s.edge_at(t, 1, x + strip - t.left, y + first - t.top);
-    Int e2 = s.edge_at(t, 2, x + strip - t.left, y + first - t.top);
-    const Float columns =
-        s.plane.columns(hn::Add(hn::Set(floats, static_cast<float>(x + strip - t.x_ref)), fx));
-    Float row = hn::Add(hn::Set(floats, static_cast<float>(y + first - t.y_ref)), fy);
-    for (int at = first * block_size + strip; at <= last * block_size + strip;
-         at += rows_at_once * block_size) {
-      merge(s.plane.bits(columns, row), s.id, hn::Or(e0, hn::Or(e1, e2)), depth + at, primitive + at);
-      e0 = hn::Add(e0, s.down[0]);
-      e1 = hn::Add(e1, s.down[1]);
-      e2 = hn::Add(e2, s.down[2]);
-      row = hn::Add(row, hn::Set(floats, static_cast<float>(rows_at_once)));
+/// A lower bound of what stands in the blocks of a box.
+HWY_INLINE float farthest_in(const BlockBox& box, const TileBuffer& tile) {
+  const float* const top = tile.farthest + box.first_row * blocks_per_tile;
+  const float* const bottom = tile.farthest + box.last_row * blocks_per_tile;
+  float farthest = HWY_MIN(HWY_MIN(top[box.first_column], top[box.last_column]),
+                           HWY_MIN(bottom[box.first_column], bottom[box.last_column]));
+  // Seldom are there blocks between the corners.
+  if (box.last_column - box.first_column > 1 || box.last_row - box.first_row > 1) {
+    for (int row = box.first_row; row <= box.last_row; ++row) {
+      for (int column = box.first_column; column <= box.last_column; ++column) {
+        farthest = HWY_MIN(farthest, tile.farthest[row * blocks_per_tile + column]);
+      }
     }
+  }
+  return HWY_MAX(farthest, tile.occluder);
+}
+
+/// Draws a small triangle strip by strip, each from the top of its box to the bottom.
+HWY_INLINE void draw_small(const SmallTriangle& t, int left, int top, TileBuffer& tile) {
+  const int first_x = HWY_MAX(t.left - left, 0) & -strip_width,
+            last_x = HWY_MIN(t.right - left, tile_size - 1);
+  const int first_y = HWY_MAX(t.top - top, 0) & -rows_at_once,
+            last_y = HWY_MIN(t.bottom - top, tile_size - 1);
+  SmallEdges edges(t, left + first_x - t.left, top + first_y - t.top);
+  const DepthLanes plane(t);
+  const Int id = hn::Set(ints, static_cast<std::int32_t>(t.primitive ^ 0x80000000u));
+  const Float strip = hn::Set(floats, static_cast<float>(strip_width));
+  const Float rows = hn::Set(floats, static_cast<float>(rows_at_once));
+  Float x = hn::ConvertTo(floats, hn::Add(hn::Set(ints, left + first_x - t.x_ref), lane_column()));
+  const Float first_row = hn::ConvertTo(floats, hn::Add(hn::Set(ints, top + first_y - t.y_ref), lane_row()));
+  for (int strip_x = first_x; strip_x <= last_x; strip_x += strip_width) {
+    Int e0 = edges.value[0], e1 = edges.value[1], e2 = edges.value[2];
+    const Float columns = plane.columns(x);
+    Float y = first_row;
+    const int end = tile_place(strip_x, last_y);
+    for (int at = tile_place(strip_x, first_y); at <= end; at += rows_at_once * block_size) {
+      merge(plane.bits(columns, y), id, hn::Or(e0, hn::Or(e1, e2)), tile.depth + at, tile.primitive + at);
+      e0 = hn::Add(e0, edges.down[0]);
+      e1 = hn::Add(e1, edges.down[1]);
+      e2 = hn::Add(e2, edges.down[2]);
+      y = hn::Add(y, rows);
+    }
+    for (int i = 0; i < 3; ++i) edges.value[i] = hn::Add(edges.value[i], edges.across[i]);
+    x = hn::Add(x, strip);
   }
 }
 
-/// The part of a small triangle's box that lies in the tile, in its pixels.
-struct BoxInTile {
-  int left, top, right, bottom;
-};
-HWY_INLINE BoxInTile box_in_tile(const SmallTriangle& t, int left, int top) {
-  return {HWY_MAX(t.left - left, 0), HWY_MAX(t.top - top, 0), HWY_MIN(t.right - left, tile_size - 1),
-          HWY_MIN(t.bottom - top, tile_size - 1)};
+/// The blocks of a box, a bit each.
+HWY_INLINE std::uint64_t bits_of(const BlockBox& box) {
+  const std::uint64_t columns = (2u << box.last_column) - (1u << box.first_column);
+  const std::uint64_t below = ~std::uint64_t{0} << (8 * box.first_row);
+  const std::uint64_t above = ~std::uint64_t{0} >> (56 - 8 * box.last_row);
+  return columns * 0x0101010101010101u & below & above;
 }
+static_assert(blocks_per_tile == 8);
 
-/// Whether everything that the box meets is nearer than the triangle's nearest vertex.
-HWY_INLINE bool is_hidden(const SmallTriangle& t, const BoxInTile& box, const TileBuffer& tile) {
-  if (t.upper < tile.occluder) return true;
-  for (int row = box.top / block_size; row <= box.bottom / block_size; ++row) {
-    for (int column = box.left / block_size; column <= box.right / block_size; ++column) {
-      if (!(t.upper < tile.farthest[row * blocks_per_tile + column])) return false;
+HWY_INLINE void raise_farthest(TileBuffer& tile) {
+  for (; tile.touched != 0; tile.touched &= tile.touched - 1) {
+    const auto block = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(tile.touched));
+    const int left = block % blocks_per_tile * block_size, top = block / blocks_per_tile * block_size;
+    const std::int32_t* const depth = tile.depth + tile_place(left, top);
+    Int farthest = hn::Load(ints, depth);
+    for (int i = lane_count; i < block_pixels; i += lane_count) {
+      farthest = hn::Min(farthest, hn::Load(ints, depth + i));
     }
-  }
-  return true;
-}
-
-HWY_INLINE void draw_small(const SmallTriangle& t, int left, int top, TileBuffer& tile, TileCounts& counts) {
-  const BoxInTile box = box_in_tile(t, left, top);
-  if (tile.has_occluder && is_hidden(t, box, tile)) {
-    ++counts.hidden_triangles;
-    return;
-  }
-  const SmallLanes lanes(t);
-  for (int y = box.top & -block_size; y <= box.bottom; y += block_size) {
-    const int first = HWY_MAX(box.top - y, 0), last = HWY_MIN(box.bottom - y, block_size - 1);
-    for (int x = box.left & -block_size; x <= box.right; x += block_size) {
-      const int at = tile_place(x, y);
-      draw_small_in_block(t, lanes, left + x, top + y, first, last, tile.depth + at, tile.primitive + at);
-    }
+    const std::int32_t bits = hn::GetLane(hn::MinOfLanes(ints, farthest));
+    tile.farthest[block] = hn::GetLane(hn::BitCast(floats, hn::Set(ints, bits)));
+    tile.has_occluder = tile.has_occluder || bits > 0;
   }
 }
 

@@ -16,11 +16,12 @@ std::int32_t ordered(std::uint32_t id) {
   return static_cast<std::int32_t>(id ^ order_bit);
 }
 
-/// The tile's part in the target, in pixels of the target's buffer. Sets the tile's size.
+/// The tile's part in the target, in pixels of the target's buffer. Sets the tile's size; nothing is touched.
 Rect part_of(const Rect& target, int left, int top, TileBuffer& tile) {
   const Rect part = intersect(Rect{left, top, tile_size, tile_size}, target);
   tile.width = part.width;
   tile.height = part.height;
+  tile.touched = 0;
   return {part.left - target.left, part.top - target.top, part.width, part.height};
 }
 
@@ -44,7 +45,8 @@ void find_farthest(TileBuffer& tile) {
   tile.has_occluder = false;
   tile.occluder = 0.0f;
   for (int block = 0; block < blocks_per_tile * blocks_per_tile; ++block) {
-    const std::int32_t* depth = tile.depth + block * block_pixels;
+    const int left = block % blocks_per_tile * block_size, top = block / blocks_per_tile * block_size;
+    const std::int32_t* depth = tile.depth + tile_place(left, top);
     std::int32_t farthest = nearest_of_all;
     for (int i = 0; i < block_pixels; ++i) farthest = std::min(farthest, depth[i]);
     tile.farthest[block] = std::bit_cast<float>(farthest);
