@@ -17,7 +17,8 @@ namespace velum {
 /// triangles take the plain path.
 inline constexpr std::int32_t not_snapped = INT32_MIN;
 
-/// A vertex on the picture: 1/256 pixel; x is not_snapped where it has no place there.
+/// A vertex on the picture: 1/256 pixel. Where it has no place there, x is not_snapped and y the outcode; 0
+/// if it is not finite.
 struct PlacedVertex {
   std::int32_t x;
   std::int32_t y;

@@ -34,16 +34,16 @@ TriangleFate fate_of(const AssembledTriangle& triangle, Cull cull, Counters& cou
       return TriangleFate::not_finite;
     }
   }
+  if (triangle.all_outside != 0) {
+    ++counters.trivially_rejected;
+    count_planes(triangle.all_outside, counters.outside);
+    return TriangleFate::rejected;
+  }
   if (triangle.determinant == 0.0) ++counters.edge_on;
   if (triangle.facing == Facing::back) ++counters.back_facing;
   if (is_culled(triangle.facing, cull)) {
     ++counters.culled;
     return TriangleFate::culled;
-  }
-  if (triangle.all_outside != 0) {
-    ++counters.trivially_rejected;
-    count_planes(triangle.all_outside, counters.outside);
-    return TriangleFate::rejected;
   }
   if (needs_cut(triangle)) return TriangleFate::to_clip;
   ++counters.trivially_accepted;

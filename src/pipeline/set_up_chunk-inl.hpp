@@ -20,13 +20,26 @@ using Int = hn::Vec<Ints>;
 using IntMask = hn::Mask<Ints>;
 constexpr Ints ints;
 
-/// Triangles whose vertices all have a place on the picture: coordinate after coordinate.
+/// Neighbouring triangles.
 struct Chunk {
-  HWY_ALIGN std::int32_t x[3][chunk_room];
-  HWY_ALIGN std::int32_t y[3][chunk_room];
-  std::uint32_t triangle[chunk_room];
+  HWY_ALIGN std::int32_t xy[3][2 * chunk_room];  ///< the three vertices' coordinates, x and y in turn
+  std::uint32_t first;                           ///< number of the first one
   std::size_t count;
+
+  HWY_INLINE std::uint32_t triangle(std::int32_t place) const {
+    return first + static_cast<std::uint32_t>(place);
+  }
 };
+
+/// Triangles lane by lane.
+struct TriangleLanes {
+  Int x[3], y[3];
+};
+HWY_INLINE TriangleLanes load_triangles(const Chunk& chunk, std::size_t first) {
+  TriangleLanes t;
+  for (int v = 0; v < 3; ++v) hn::LoadInterleaved2(ints, chunk.xy[v] + 2 * first, t.x[v], t.y[v]);
+  return t;
+}
 
 /// Some of a chunk's triangles, by their places in it.
 struct ChunkList {
@@ -37,33 +50,32 @@ struct ChunkList {
 /// Vertices stand anywhere in memory: those of as many triangles on are asked for beforehand.
 constexpr std::uint32_t fetch_ahead = 24;
 
-/// Fetches triangles, beginning with `next`, until the chunk is full; the numbers of those with a vertex that
-/// has no place go to work.slow.
-HWY_INLINE void fetch(const SetUpWork& work, std::uint32_t& next, Chunk& out, std::size_t& slow) {
-  std::size_t count = 0;
-  for (; next < work.last && count < chunk_size; ++next) {
-    const std::uint32_t* const indices = work.indices + 3 * static_cast<std::size_t>(next);
-    if (next + fetch_ahead < work.last) {
-      for (std::uint32_t v = 0; v < 3; ++v) hwy::Prefetch(work.placed + indices[3 * fetch_ahead + v]);
+/// Fetches triangles, beginning with `first`, until the chunk is full.
+HWY_INLINE void fetch(const SetUpWork& work, std::uint32_t first, Chunk& out) {
+  out.first = first;
+  out.count = HWY_MIN(chunk_size, work.last - first);
+  const std::uint32_t* indices = work.indices + 3 * static_cast<std::size_t>(first);
+  const std::size_t left = work.last - first;
+  const std::size_t with_more = left > fetch_ahead ? HWY_MIN(out.count, left - fetch_ahead) : 0;
+  for (std::size_t i = 0; i < out.count; ++i, indices += 3) {
+    if (i < with_more) {
+      for (std::uint32_t v = 0; v < 3; ++v) {
+        const std::size_t vertex = indices[3 * fetch_ahead + v];
+        hwy::Prefetch(work.placed + vertex);
+        hwy::Prefetch(work.positions + 3 * vertex);
+      }
     }
-    const PlacedVertex a = work.placed[indices[0]];
-    const PlacedVertex b = work.placed[indices[1]];
-    const PlacedVertex c = work.placed[indices[2]];
-    out.x[0][count] = a.x, out.x[1][count] = b.x, out.x[2][count] = c.x;
-    out.y[0][count] = a.y, out.y[1][count] = b.y, out.y[2][count] = c.y;
-    out.triangle[count] = next;
-    const bool has_place = a.x != not_snapped && b.x != not_snapped && c.x != not_snapped;
-    count += has_place;
-    if (!has_place) work.slow[slow++] = next;
+    for (std::uint32_t v = 0; v < 3; ++v) {
+      hwy::CopyBytes<sizeof(PlacedVertex)>(work.placed + indices[v], out.xy[v] + 2 * i);
+    }
   }
-  out.count = count;
 }
 
 /// Copies the vertices of the listed triangles.
 HWY_INLINE void fetch_vertices(const SetUpWork& work, const Chunk& chunk, const ChunkList& list,
                                FetchedVertices& out) {
   for (std::size_t i = 0; i < list.count; ++i) {
-    const std::size_t triangle = chunk.triangle[list.place[i]];
+    const auto triangle = static_cast<std::size_t>(chunk.triangle(list.place[i]));
     for (std::size_t v = 0; v < 3; ++v) {
       const float* const position =
           work.positions + 3 * static_cast<std::size_t>(work.indices[3 * triangle + v]);
@@ -73,9 +85,17 @@ HWY_INLINE void fetch_vertices(const SetUpWork& work, const Chunk& chunk, const 
   }
 }
 
-/// The ids of the listed triangles.
+/// The id of a triangle.
 HWY_INLINE std::uint32_t primitive_of(const SetUpWork& work, std::uint32_t triangle) {
   return work.first_primitive + (work.primitives != nullptr ? work.primitives[triangle] : triangle);
+}
+
+/// The ids of the listed triangles.
+HWY_INLINE void find_primitives(const SetUpWork& work, const Chunk& chunk, const ChunkList& list,
+                                std::int32_t* out) {
+  for (std::size_t i = 0; i < list.count; ++i) {
+    out[i] = static_cast<std::int32_t>(primitive_of(work, chunk.triangle(list.place[i])));
+  }
 }
 
 HWY_INLINE std::uint32_t bits_of(hn::Mask<Ints> mask) {

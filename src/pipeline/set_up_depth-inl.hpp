@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Triangles are set up this many at a time, pass after pass over arrays that stay in the nearest cache.
-constexpr std::size_t chunk_size = 128;
+constexpr std::uint32_t chunk_size = 64;
 /// Arrays have room for a whole vector behind the last triangle.
 constexpr std::size_t chunk_room = chunk_size + 16;
 

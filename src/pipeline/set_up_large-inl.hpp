@@ -67,19 +67,23 @@ HWY_INLINE std::uint32_t count_facing(const SetUpWork& work, Double determinant,
 }
 
 /// Writes one triangle, turned clockwise.
-HWY_INLINE void write_large(const SetUpWork& work, const Chunk& chunk, std::size_t place,
-                            const PlaneArrays& depth, std::size_t i, bool is_clockwise, RasterTriangle& out) {
-  const int second = is_clockwise ? 1 : 2, third = is_clockwise ? 2 : 1;
-  out.x[0] = chunk.x[0][place], out.x[1] = chunk.x[second][place], out.x[2] = chunk.x[third][place];
-  out.y[0] = chunk.y[0][place], out.y[1] = chunk.y[second][place], out.y[2] = chunk.y[third][place];
-  out.r_ref = depth.r_ref[i];
-  out.dx = depth.dx[i];
-  out.dy = depth.dy[i];
-  out.x_ref = depth.x_ref[i];
-  out.y_ref = depth.y_ref[i];
-  out.lower = depth.lower[i];
-  out.upper = depth.upper[i];
-  out.primitive = primitive_of(work, chunk.triangle[place]);
+HWY_INLINE void write_large(const SetUpWork& work, const Chunk& chunk, std::int32_t place,
+                            const PlaneArrays& depth, std::size_t at, bool is_clockwise,
+                            RasterTriangle& out) {
+  const int order[3] = {0, is_clockwise ? 1 : 2, is_clockwise ? 2 : 1};
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t* const xy = chunk.xy[order[i]] + 2 * place;
+    out.x[i] = xy[0];
+    out.y[i] = xy[1];
+  }
+  out.r_ref = depth.r_ref[at];
+  out.dx = depth.dx[at];
+  out.dy = depth.dy[at];
+  out.x_ref = depth.x_ref[at];
+  out.y_ref = depth.y_ref[at];
+  out.lower = depth.lower[at];
+  out.upper = depth.upper[at];
+  out.primitive = primitive_of(work, chunk.triangle(place));
 }
 
 /// As many triangles of the list as a vector has lanes, beginning with `first`.
@@ -90,9 +94,9 @@ HWY_INLINE void set_up_large_lanes(const SetUpWork& work, const Chunk& chunk, co
   SnappedLanes s;
   HWY_ALIGN double coordinate[8] = {};
   for (int v = 0; v < 3; ++v) {
-    for (std::size_t i = 0; i < count; ++i) coordinate[i] = chunk.x[v][list.place[first + i]];
+    for (std::size_t i = 0; i < count; ++i) coordinate[i] = chunk.xy[v][2 * list.place[first + i]];
     s.x[v] = hn::Load(doubles, coordinate);
-    for (std::size_t i = 0; i < count; ++i) coordinate[i] = chunk.y[v][list.place[first + i]];
+    for (std::size_t i = 0; i < count; ++i) coordinate[i] = chunk.xy[v][2 * list.place[first + i] + 1];
     s.y[v] = hn::Load(doubles, coordinate);
   }
   const Vertex v[3] = {vertices.load(work, 0, first), vertices.load(work, 1, first),
@@ -111,8 +115,8 @@ HWY_INLINE void set_up_large_lanes(const SetUpWork& work, const Chunk& chunk, co
   hn::Store(x.to, doubles, box[2]), hn::Store(y.to, doubles, box[3]);
   for (; left != 0; left &= left - 1) {
     const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-    const auto place = static_cast<std::size_t>(list.place[first + i]);
-    write_large(work, chunk, place, depth, i, ((clockwise >> i) & 1u) != 0, work.large[result.large++]);
+    write_large(work, chunk, list.place[first + i], depth, i, ((clockwise >> i) & 1u) != 0,
+                work.large[result.large++]);
     result.box = united(result.box, {static_cast<int>(box[0][i]), static_cast<int>(box[1][i]),
                                      static_cast<int>(box[2][i]), static_cast<int>(box[3][i])});
   }

@@ -19,6 +19,7 @@ namespace {
 /// What the passes over a chunk hand on; overwritten chunk by chunk.
 struct Passes {
   Chunk chunk;
+  ChunkList slow;
   ChunkList large;
   SmallArrays small;
   TinyArrays tiny;
@@ -29,14 +30,15 @@ struct Passes {
 /// Lanes behind the last triangle are computed, never used; what they hold must be numbers.
 void clear(Passes& passes) {
   for (std::size_t v = 0; v < 3; ++v) {
-    for (std::size_t i = 0; i < chunk_room; ++i) passes.chunk.x[v][i] = passes.chunk.y[v][i] = 0;
+    for (std::size_t i = 0; i < 2 * chunk_room; ++i) passes.chunk.xy[v][i] = 0;
     for (std::size_t i = 0; i < 4 * chunk_room; ++i) passes.vertices.position[v][i] = 0.0f;
   }
 }
 
 void set_up_chunk(const SetUpWork& work, Passes& p, BoxLanes& box, SetUpResult& result, Counters& counters) {
-  p.large.count = p.small.list.count = p.tiny.list.count = 0;
-  classify(work, p.chunk, p.large, p.small, p.tiny, box, counters);
+  p.slow.count = p.large.count = p.small.list.count = p.tiny.list.count = 0;
+  classify(work, p.chunk, p.slow, p.large, p.small, p.tiny, box, counters);
+  for (std::size_t i = 0; i < p.slow.count; ++i) work.slow[result.slow++] = p.chunk.triangle(p.slow.place[i]);
   if (p.large.count > 0) set_up_large(work, p.chunk, p.large, p.vertices, p.depth, result, counters);
   if (p.small.list.count > 0) {
     fetch_vertices(work, p.chunk, p.small.list, p.vertices);
@@ -58,8 +60,8 @@ SetUpResult set_up_triangles(const SetUpWork& work, Counters& counters) {
   Passes passes;
   clear(passes);
   BoxLanes box = no_box();
-  for (std::uint32_t next = work.first; next < work.last;) {
-    fetch(work, next, passes.chunk, result.slow);
+  for (std::uint32_t next = work.first; next < work.last; next += chunk_size) {
+    fetch(work, next, passes.chunk);
     set_up_chunk(work, passes, box, result, counters);
   }
   result.box = united(result.box, box_of(box));

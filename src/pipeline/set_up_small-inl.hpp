@@ -14,11 +14,11 @@ namespace velum {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Small triangles on their way to SmallTriangle: its words.
+/// Small triangles on their way to SmallTriangle: its words, in its order.
 struct SmallArrays {
   ChunkList list;
   HWY_ALIGN std::int32_t edge[3][chunk_room];
-  HWY_ALIGN std::int32_t step[3][chunk_room];  ///< x in the low 16 bits, y in the high ones
+  HWY_ALIGN std::int32_t step[3][chunk_room];  ///< the six steps, two to a word
   HWY_ALIGN std::int32_t left_top[chunk_room];
   HWY_ALIGN std::int32_t right_bottom[chunk_room];
 };
@@ -39,11 +39,6 @@ HWY_INLINE BoxLanes no_box() {
   const Int most = hn::Set(ints, INT32_MAX), least = hn::Set(ints, INT32_MIN);
   return {most, most, least, least};
 }
-
-/// Triangles lane by lane.
-struct TriangleLanes {
-  Int x[3], y[3];
-};
 
 /// Pixels whose centres lie in the triangles' boxes and in the target, ends included.
 struct CentreBox {
@@ -117,10 +112,10 @@ HWY_INLINE Int packed_shorts(Int low, Int high) {
 HWY_INLINE void append_small(Int places, IntMask which, const EdgeLanes& edges, const CentreBox& box,
                              SmallArrays& out) {
   const std::size_t at = out.list.count;
-  for (int i = 0; i < 3; ++i) {
-    append(edges.value[i], which, out.edge[i] + at);
-    append(packed_shorts(edges.step_x[i], edges.step_y[i]), which, out.step[i] + at);
-  }
+  for (int i = 0; i < 3; ++i) append(edges.value[i], which, out.edge[i] + at);
+  append(packed_shorts(edges.step_x[0], edges.step_x[1]), which, out.step[0] + at);
+  append(packed_shorts(edges.step_x[2], edges.step_y[0]), which, out.step[1] + at);
+  append(packed_shorts(edges.step_y[1], edges.step_y[2]), which, out.step[2] + at);
   append(packed_shorts(box.left, box.top), which, out.left_top + at);
   append(packed_shorts(box.right, box.bottom), which, out.right_bottom + at);
   out.list.count += append(places, which, out.list.place + at);
@@ -197,18 +192,45 @@ HWY_INLINE TriangleLanes clockwise(const TriangleLanes& t, Int area) {
           {t.y[0], hn::IfThenElse(turned, t.y[2], t.y[1]), hn::IfThenElse(turned, t.y[1], t.y[2])}};
 }
 
-/// Sends every triangle of the chunk to one of the lists; small ones that cover nothing to none.
-HWY_INLINE void classify(const SetUpWork& work, const Chunk& chunk, ChunkList& large, SmallArrays& small,
-                         TinyArrays& tiny, BoxLanes& box_lanes, Counters& counters) {
+/// Whether each vertex has a place on the picture.
+HWY_INLINE IntMask are_placed(const TriangleLanes& t) {
+  return hn::Gt(lowest(t.x), hn::Set(ints, not_snapped));
+}
+static_assert(not_snapped == INT32_MIN);
+
+/// Triangles wholly outside of one plane. @return which of those without a place are
+HWY_INLINE IntMask count_rejected(const TriangleLanes& t, IntMask without_place, Counters& counters) {
+  const Int nowhere = hn::Set(ints, not_snapped), all_planes = hn::Set(ints, 63);
+  Int outside = all_planes;
+  for (int v = 0; v < 3; ++v) outside = hn::And(outside, hn::IfThenElseZero(hn::Eq(t.x[v], nowhere), t.y[v]));
+  const IntMask rejected = hn::And(without_place, hn::Gt(outside, hn::Zero(ints)));
+  const std::size_t count = hn::CountTrue(ints, rejected);
+  if (count == 0) return rejected;
+  counters.triangles += count;
+  counters.trivially_rejected += count;
+  for (int i = 0; i < 6; ++i) {
+    const IntMask outside_i = hn::TestBit(outside, hn::Set(ints, 1 << i));
+    counters.outside[i] += hn::CountTrue(ints, hn::And(rejected, outside_i));
+  }
+  return rejected;
+}
+
+/// Sends every triangle of the chunk to one of the lists; small ones that cover nothing, and what is wholly
+/// outside, to none.
+HWY_INLINE void classify(const SetUpWork& work, const Chunk& chunk, ChunkList& slow, ChunkList& large,
+                         SmallArrays& small, TinyArrays& tiny, BoxLanes& box_lanes, Counters& counters) {
   const Int size = hn::Set(ints, tiny_size);
   for (std::size_t i = 0; i < chunk.count; i += hn::Lanes(ints)) {
-    TriangleLanes t;
-    for (int v = 0; v < 3; ++v) {
-      t.x[v] = hn::Load(ints, chunk.x[v] + i);
-      t.y[v] = hn::Load(ints, chunk.y[v] + i);
-    }
+    const TriangleLanes t = load_triangles(chunk, i);
     const Int places = hn::Iota(ints, static_cast<std::int32_t>(i));
-    const IntMask present = hn::Lt(places, hn::Set(ints, static_cast<std::int32_t>(chunk.count)));
+    const IntMask fetched = hn::Lt(places, hn::Set(ints, static_cast<std::int32_t>(chunk.count)));
+    const IntMask placed = are_placed(t);
+    const IntMask without_place = hn::AndNot(placed, fetched);
+    if (!hn::AllFalse(ints, without_place)) {
+      const IntMask rejected = count_rejected(t, without_place, counters);
+      slow.count += append(places, hn::AndNot(rejected, without_place), slow.place + slow.count);
+    }
+    const IntMask present = hn::And(fetched, placed);
     const AreaLanes area = area_of(t);
     large.count += append(places, hn::AndNot(area.is_small, present), large.place + large.count);
     const IntMask kept = count_facing(work, area.area, hn::And(present, area.is_small), counters);
@@ -226,27 +248,52 @@ HWY_INLINE void classify(const SetUpWork& work, const Chunk& chunk, ChunkList& l
   }
 }
 
-HWY_INLINE void write_small(const SetUpWork& work, const Chunk& chunk, const SmallArrays& s,
-                            const PlaneArrays& depth, SmallTriangle* out) {
-  for (std::size_t i = 0; i < s.list.count; ++i) {
-    SmallTriangle& t = out[i];
-    for (int k = 0; k < 3; ++k) t.edge[k] = s.edge[k][i];
-    for (int k = 0; k < 3; ++k) t.step_x[k] = static_cast<std::int16_t>(s.step[k][i]);
-    for (int k = 0; k < 3; ++k) t.step_y[k] = static_cast<std::int16_t>(s.step[k][i] >> 16);
-    t.left = static_cast<std::int16_t>(s.left_top[i]);
-    t.top = static_cast<std::int16_t>(s.left_top[i] >> 16);
-    t.right = static_cast<std::int16_t>(s.right_bottom[i]);
-    t.bottom = static_cast<std::int16_t>(s.right_bottom[i] >> 16);
-    t.r_ref = depth.r_ref[i];
-    t.dx = depth.dx[i];
-    t.dy = depth.dy[i];
-    t.lower = depth.lower[i];
-    t.upper = depth.upper[i];
-    t.x_ref = static_cast<std::int16_t>(depth.x_ref[i]);
-    t.y_ref = static_cast<std::int16_t>(depth.y_ref[i]);
-    t.primitive = primitive_of(work, chunk.triangle[s.list.place[i]]);
+/// The words of SmallTriangle four at a time, triangle after triangle.
+struct FourWords {
+  HWY_ALIGN std::int32_t word[4 * chunk_room];
+
+  HWY_INLINE void interleave(const std::int32_t* a, const std::int32_t* b, const std::int32_t* c,
+                             const std::int32_t* d, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += hn::Lanes(ints)) {
+      hn::StoreInterleaved4(hn::Load(ints, a + i), hn::Load(ints, b + i), hn::Load(ints, c + i),
+                            hn::Load(ints, d + i), ints, word + 4 * i);
+    }
+  }
+};
+
+HWY_INLINE const std::int32_t* bits_of(const float* values) {
+  return reinterpret_cast<const std::int32_t*>(values);
+}
+
+/// The reference pixels, x in the low 16 bits, y in the high ones.
+HWY_INLINE void pack_references(const PlaneArrays& depth, std::size_t count, std::int32_t* out) {
+  for (std::size_t i = 0; i < count; i += hn::Lanes(ints)) {
+    hn::Store(packed_shorts(hn::Load(ints, depth.x_ref + i), hn::Load(ints, depth.y_ref + i)), ints, out + i);
   }
 }
+
+/// Writes the listed triangles, which are words in arrays until then.
+HWY_INLINE void write_small(const SetUpWork& work, const Chunk& chunk, const SmallArrays& s,
+                            const PlaneArrays& depth, SmallTriangle* out) {
+  HWY_ALIGN std::int32_t primitives[chunk_room];
+  HWY_ALIGN std::int32_t references[chunk_room];
+  find_primitives(work, chunk, s.list, primitives);
+  pack_references(depth, s.list.count, references);
+  FourWords words[4];
+  words[0].interleave(s.edge[0], s.edge[1], s.edge[2], s.step[0], s.list.count);
+  words[1].interleave(s.step[1], s.step[2], s.left_top, s.right_bottom, s.list.count);
+  words[2].interleave(bits_of(depth.r_ref), bits_of(depth.dx), bits_of(depth.dy), bits_of(depth.lower),
+                      s.list.count);
+  words[3].interleave(bits_of(depth.upper), references, primitives, primitives, s.list.count);
+  for (std::size_t i = 0; i < s.list.count; ++i) {
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(out + i);
+    for (std::size_t k = 0; k < 4; ++k) hwy::CopyBytes<16>(words[k].word + 4 * i, bytes + 16 * k);
+  }
+}
+static_assert(offsetof(SmallTriangle, step_x) == 12 && offsetof(SmallTriangle, step_y) == 18 &&
+              offsetof(SmallTriangle, left) == 24 && offsetof(SmallTriangle, r_ref) == 32 &&
+              offsetof(SmallTriangle, upper) == 48 && offsetof(SmallTriangle, x_ref) == 52 &&
+              offsetof(SmallTriangle, primitive) == 56);
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
