@@ -47,7 +47,8 @@ struct ChunkList {
   std::size_t count = 0;
 };
 
-/// Vertices stand anywhere in memory: those of as many triangles on are asked for beforehand.
+/// Vertices of a mesh stand anywhere in memory: those of as many triangles on are asked for beforehand. Those
+/// of a list that names its primitives are few, and have just been made.
 constexpr std::uint32_t fetch_ahead = 24;
 
 /// Fetches triangles, beginning with `first`, until the chunk is full.
@@ -56,7 +57,9 @@ HWY_INLINE void fetch(const SetUpWork& work, std::uint32_t first, Chunk& out) {
   out.count = HWY_MIN(chunk_size, work.last - first);
   const std::uint32_t* indices = work.indices + 3 * static_cast<std::size_t>(first);
   const std::size_t left = work.last - first;
-  const std::size_t with_more = left > fetch_ahead ? HWY_MIN(out.count, left - fetch_ahead) : 0;
+  const bool is_whole_mesh = work.primitives == nullptr;
+  const std::size_t with_more =
+      is_whole_mesh && left > fetch_ahead ? HWY_MIN(out.count, left - fetch_ahead) : 0;
   for (std::size_t i = 0; i < out.count; ++i, indices += 3) {
     if (i < with_more) {
       for (std::uint32_t v = 0; v < 3; ++v) {

@@ -51,14 +51,12 @@ HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double cod
   const Double y_or_none = hn::IfThenElseZero(inside, y);
   const Double sum = hn::Add(hn::Add(v.x, v.y), hn::Add(v.z, v.w));
   const Double code = hn::IfThenElseZero(hn::Eq(hn::Sub(sum, sum), hn::Zero(doubles)), codes);
-  HWY_ALIGN std::int32_t xs[most_lanes];
-  HWY_ALIGN std::int32_t ys[most_lanes];
   const auto nowhere = hn::Set(narrow_ints, not_snapped);
   const auto is_inside =
       hn::Eq(hn::DemoteTo(narrow_ints, hn::IfThenElseZero(inside, one)), hn::Set(narrow_ints, 1));
-  hn::Store(hn::IfThenElse(is_inside, snapped(x_or_none), nowhere), narrow_ints, xs);
-  hn::Store(hn::IfThenElse(is_inside, snapped(y_or_none), hn::DemoteTo(narrow_ints, code)), narrow_ints, ys);
-  for (std::size_t i = 0; i < hn::Lanes(doubles); ++i) out[i] = {xs[i], ys[i]};
+  hn::StoreInterleaved2(hn::IfThenElse(is_inside, snapped(x_or_none), nowhere),
+                        hn::IfThenElse(is_inside, snapped(y_or_none), hn::DemoteTo(narrow_ints, code)),
+                        narrow_ints, reinterpret_cast<std::int32_t*>(out));
 }
 
 HWY_INLINE void transform_lanes(const TransformWork& work, const float* positions, double* clip,
