@@ -53,14 +53,17 @@ std::string scattered(const Counters& counters, const Aabb& bounds, const Camera
   return text.empty() ? text : "of the " + counted_text(counters.triangles, "triangle") + ", " + text;
 }
 
+constexpr const char* beside_crop = "nothing of the scene lies in the part of the picture that --crop chose";
+
 }  // namespace
 
 std::string blank_reason(const Counters& counters, const Aabb& bounds, const Camera& camera,
                          const RenderSettings& settings) {
+  if (counters.instances == 0 && counters.instances_beside > 0) return beside_crop;
   if (counters.triangles == 0) {
     if (counters.segments + counters.points == 0) return "the scene has no triangles, segments or points";
     if (counters.screen_triangles == 0) return "all segments and points lie outside the view volume";
-    if (settings.crop) return "nothing of the scene lies in the part of the picture that --crop chose";
+    if (settings.crop) return beside_crop;
     return "no segment or point covers a pixel centre";
   }
   if (counters.not_finite == counters.triangles) return "every triangle has a vertex that is not finite";
@@ -75,7 +78,7 @@ std::string blank_reason(const Counters& counters, const Aabb& bounds, const Cam
     const std::string places = scattered(counters, bounds, camera);
     return places.empty() ? "all triangles lie outside the view volume" : places;
   }
-  if (settings.crop) return "nothing of the scene lies in the part of the picture that --crop chose";
+  if (settings.crop) return beside_crop;
   return "no triangle covers a pixel centre: the scene is seen edge-on or too small in the picture";
 }
 
