@@ -83,7 +83,7 @@ namespace {
 std::uint64_t bytes_of_hierarchy(const RenderSettings& settings, const Rect& rect) {
   if (settings.visibility != VisibilityMethod::hierarchical) return 0;
   const auto tiles = static_cast<std::uint64_t>(TileGrid(rect).count());
-  return tiles * (sizeof(TileBuffer) + tile_pixels * sizeof(float) / 2);
+  return tiles * (sizeof(TileBuffer) + tile_size * tile_size * sizeof(float) / 2);
 }
 
 std::uint64_t bytes_of_bands(const Scene& scene, const RenderSettings& settings, const Rect& whole) {

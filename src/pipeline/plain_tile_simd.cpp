@@ -17,11 +17,11 @@ namespace {
 /// A vector of a row's pixels: of one column of blocks or, where it is longer than a block's row, of two.
 HWY_INLINE Word load_row(const std::int32_t* row, std::size_t x) {
   const auto* const words_of_row = reinterpret_cast<const std::uint32_t*>(row);
-  const std::size_t at = x / block_size * column_pixels + x % block_size;
+  const std::size_t at = x / block_size * column_room + x % block_size;
 #if HWY_TARGET != HWY_SCALAR
   if constexpr (hn::MaxLanes(words) > block_size) {
     const hn::Half<Words> half;
-    return hn::Combine(words, hn::Load(half, words_of_row + at + column_pixels),
+    return hn::Combine(words, hn::Load(half, words_of_row + at + column_room),
                        hn::Load(half, words_of_row + at));
   }
 #endif
@@ -33,7 +33,7 @@ struct TileRow {
   const std::int32_t* id;
   const std::int32_t* reversed_depth;
 
-  static std::size_t place(std::size_t x) { return x / block_size * column_pixels + x % block_size; }
+  static std::size_t place(std::size_t x) { return x / block_size * column_room + x % block_size; }
   HWY_INLINE Word ids(std::size_t x) const { return hn::Xor(load_row(id, x), hn::Set(words, 0x80000000u)); }
   HWY_INLINE Word reversed_depths(std::size_t x) const { return load_row(reversed_depth, x); }
   HWY_INLINE std::uint32_t id_at(std::size_t x) const {

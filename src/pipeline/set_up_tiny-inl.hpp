@@ -25,10 +25,12 @@ HWY_INLINE Int places_of(const SetUpWork& work, Int x, Int y) {
       hn::Add(hn::Mul(hn::ShiftRight<6>(row), hn::Set(ints, work.tile_columns)), hn::ShiftRight<6>(column));
   const Int in_column =
       hn::Add(hn::ShiftLeft<3>(hn::And(row, hn::Set(ints, 63))), hn::And(column, hn::Set(ints, 7)));
-  const Int pixel = hn::Add(hn::ShiftLeft<6>(hn::And(column, hn::Set(ints, 56))), in_column);
-  return hn::Add(hn::ShiftLeft<12>(tile), pixel);
+  const Int eights = hn::And(column, hn::Set(ints, 56));
+  const Int pixel = hn::Add(hn::Add(hn::ShiftLeft<6>(eights), hn::ShiftLeft<1>(eights)), in_column);
+  return hn::Add(hn::ShiftLeft<13>(tile), pixel);
 }
-static_assert(tile_size == 64 && block_size == 8);
+static_assert(tile_size == 64 && block_size == 8 && column_room == 8 * (64 + 2) &&
+              fragment_places == 1 << 13);
 
 /// The terms of DepthPlane::at that differ between the centres of a tiny triangle.
 struct TinyDepth {

@@ -42,9 +42,12 @@ struct alignas(64) SmallTriangle {
 };
 static_assert(sizeof(RasterTriangle) == 64 && sizeof(SmallTriangle) == 64);
 
+/// What RasterFragment::place grows by from tile to tile.
+inline constexpr std::uint32_t fragment_places = 1u << 13;
+
 /// A pixel centre that a triangle of a pixel or two covers.
 struct RasterFragment {
-  std::uint32_t place;      ///< tile · tile_pixels + pixel within the tile, see tile_place()
+  std::uint32_t place;      ///< tile · fragment_places + tile_place()
   std::int32_t depth;       ///< bits of the reversed depth
   std::uint32_t primitive;  ///< its id
 };

@@ -26,9 +26,9 @@ void append_fragments(const std::array<SnappedVertex, 3>& v, const ScreenTriangl
            EdgeFunction::between(v[2], v[0], x, y).value) < 0) {
         continue;
       }
-      const int place = grid.at(x, y) * tile_pixels +
-                        tile_place((x - grid.target.left) % tile_size, (y - grid.target.top) % tile_size);
-      out.fragments[out.fragment_count++] = {static_cast<std::uint32_t>(place),
+      const int pixel = tile_place((x - grid.target.left) % tile_size, (y - grid.target.top) % tile_size);
+      const auto tile = static_cast<std::uint32_t>(grid.at(x, y));
+      out.fragments[out.fragment_count++] = {tile * fragment_places + static_cast<std::uint32_t>(pixel),
                                              std::bit_cast<std::int32_t>(triangle.depth.at(x, y)),
                                              triangle.primitive};
     }

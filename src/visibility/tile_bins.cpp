@@ -107,7 +107,7 @@ void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
   }
   count_small(primitives, grid, next);
   for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
-    ++next[primitives.fragments[i].place / tile_pixels].fragment;
+    ++next[primitives.fragments[i].place / fragment_places].fragment;
   }
   for (std::size_t i = 2; i < tiles + 2; ++i) {
     first[i].large += first[i - 1].large;
@@ -167,7 +167,7 @@ void TileBins::place_fragments(const ScreenPrimitives& primitives) {
   RasterFragment* const fragments = fragments_.make_room(primitives.fragment_count);
   for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
     const RasterFragment& fragment = primitives.fragments[i];
-    fragments[next[fragment.place / tile_pixels].fragment++] = fragment;
+    fragments[next[fragment.place / fragment_places].fragment++] = fragment;
   }
 }
 

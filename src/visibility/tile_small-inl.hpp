@@ -108,7 +108,7 @@ HWY_INLINE void raise_farthest(TileBuffer& tile) {
 HWY_INLINE void draw_fragments(const RasterFragment* fragments, std::size_t count, TileBuffer& tile) {
   for (std::size_t i = 0; i < count; ++i) {
     const RasterFragment& f = fragments[i];
-    const std::size_t at = f.place % tile_pixels;
+    const std::size_t at = f.place % fragment_places;
     const auto id = static_cast<std::int32_t>(f.primitive ^ 0x80000000u);
     const std::int32_t old_r = tile.depth[at], old_id = tile.primitive[at];
     const bool wins = f.depth > old_r - (id < old_id ? 1 : 0);

@@ -27,8 +27,8 @@ Rect part_of(const Rect& target, int left, int top, TileBuffer& tile) {
 
 /// Fills everything; what lies outside the picture with depths that nothing is nearer than.
 void fill(TileBuffer& tile, std::int32_t depth, std::int32_t primitive) {
-  std::fill_n(tile.depth, tile_pixels, depth);
-  std::fill_n(tile.primitive, tile_pixels, primitive);
+  std::fill_n(tile.depth, tile_room, depth);
+  std::fill_n(tile.primitive, tile_room, primitive);
 }
 constexpr std::int32_t nearest_of_all = 0x7f800000;  // +infinity
 
