@@ -19,7 +19,7 @@ struct Counters {
   std::uint64_t points = 0;            ///< points that entered the pipeline
   std::uint64_t points_outside = 0;    ///< not inside the view volume
   std::uint64_t not_finite = 0;   ///< primitives skipped: a vertex is NaN or infinite after the transform
-  std::uint64_t back_facing = 0;  ///< triangles that face away (removed only when culled)
+  std::uint64_t back_facing = 0;  ///< of the not rejected: those that face away (removed only when culled)
   std::uint64_t edge_on = 0;      ///< homogeneous determinant exactly 0: count as front-facing
   std::uint64_t culled = 0;       ///< removed by the facing test
   std::uint64_t trivially_accepted = 0;  ///< nothing to cut: no vertex outside the view volume or guard band
