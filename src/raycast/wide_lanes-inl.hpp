@@ -55,20 +55,24 @@ struct BoxRay {
     const auto side = hn::Load(boxes, node.bounds[far_row[axis]] + first);
     return hn::Mul(hn::Sub(side, far_from[axis]), inverse[axis]);
   }
-  /// Which of the eight boxes the ray goes into before `upper`: one bit each. @param entry  where
-  HWY_INLINE std::uint32_t entered(const WideNode& node, float upper, float* entry) const {
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < 8; i += hn::Lanes(boxes)) {
-      const auto enter =
-          hn::Max(hn::Max(near(node, 0, i), near(node, 1, i)), hn::Max(near(node, 2, i), lower));
-      const auto leave =
-          hn::Min(hn::Min(far(node, 0, i), far(node, 1, i)), hn::Min(far(node, 2, i), hn::Set(boxes, upper)));
-      hn::Store(enter, boxes, entry + i);
-      mask |= bits_of(boxes, hn::Le(enter, leave)) << i;
-    }
-    return mask;
-  }
 };
+
+/// Which of the eight boxes a ray, or any ray of a packet, goes into before `upper`: one bit each.
+/// @param ray    a BoxRay or BoxPacket
+/// @param entry  where
+template <typename Ray>
+HWY_INLINE std::uint32_t entered(const Ray& ray, const WideNode& node, float upper, float* entry) {
+  std::uint32_t mask = 0;
+  for (std::size_t i = 0; i < 8; i += hn::Lanes(boxes)) {
+    const auto enter = hn::Max(hn::Max(ray.near(node, 0, i), ray.near(node, 1, i)),
+                               hn::Max(ray.near(node, 2, i), ray.lower));
+    const auto leave = hn::Min(hn::Min(ray.far(node, 0, i), ray.far(node, 1, i)),
+                               hn::Min(ray.far(node, 2, i), hn::Set(boxes, upper)));
+    hn::Store(enter, boxes, entry + i);
+    mask |= bits_of(boxes, hn::Le(enter, leave)) << i;
+  }
+  return mask;
+}
 
 /// The same for triangles.
 struct TriangleRay {

@@ -154,19 +154,6 @@ struct BoxPacket {
     const auto way = hn::Sub(hn::Load(boxes, node.bounds[far_row[axis]] + i), far_from[axis]);
     return hn::Max(hn::Mul(way, inverse_low[axis]), hn::Mul(way, inverse_high[axis]));
   }
-  /// As BoxRay::entered(), for any of the rays.
-  HWY_INLINE std::uint32_t entered(const WideNode& node, float upper, float* entry) const {
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < 8; i += hn::Lanes(boxes)) {
-      const auto enter =
-          hn::Max(hn::Max(near(node, 0, i), near(node, 1, i)), hn::Max(near(node, 2, i), lower));
-      const auto leave =
-          hn::Min(hn::Min(far(node, 0, i), far(node, 1, i)), hn::Min(far(node, 2, i), hn::Set(boxes, upper)));
-      hn::Store(enter, boxes, entry + i);
-      mask |= bits_of(boxes, hn::Le(enter, leave)) << i;
-    }
-    return mask;
-  }
 };
 
 /// The four planes around the rays: along kz from `start` on, in the direction of the rays, they lie between

@@ -47,7 +47,7 @@ void visit_leaves(const WideTreeView& tree, const BoxPacket& box_packet, const P
       counts.boxes += 8;
       const WideNode& node = tree.nodes[current.index()];
       HWY_ALIGN float entry[8];
-      const std::uint32_t mask = box_packet.entered(node, upper, entry);
+      const std::uint32_t mask = entered(box_packet, node, upper, entry);
       if (mask != 0) {
         current = nearest(tree, node, mask, entry, stack);
         continue;
@@ -65,7 +65,7 @@ HWY_INLINE bool find_leaf(const WideTreeView& tree, const BoxPacket& box_packet,
     counts.boxes += 8;
     const WideNode& node = tree.nodes[current.index()];
     HWY_ALIGN float entry[8];
-    const std::uint32_t mask = box_packet.entered(node, upper, entry);
+    const std::uint32_t mask = entered(box_packet, node, upper, entry);
     if (mask != 0) {
       current = nearest(tree, node, mask, entry, stack);
     } else if (!take_next(stack, upper, current)) {

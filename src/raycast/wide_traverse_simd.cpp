@@ -27,7 +27,7 @@ void traverse_wide(const WideTreeView& tree, const WideRay& ray, const WideMeeti
       ++inner;
       const WideNode& node = tree.nodes[current.index()];
       HWY_ALIGN float entry[8];
-      const std::uint32_t mask = box_ray.entered(node, upper, entry);
+      const std::uint32_t mask = entered(box_ray, node, upper, entry);
       if (mask != 0) {
         current = nearest(tree, node, mask, entry, stack);
         continue;

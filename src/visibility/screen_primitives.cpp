@@ -7,17 +7,6 @@
 namespace velum {
 namespace {
 
-/// The pixels of the target whose centres lie in the box of the vertices.
-PixelBox centres_in_box(const std::array<SnappedVertex, 3>& v, const Rect& target) {
-  const auto [x_min, x_max] = std::minmax({v[0].x, v[1].x, v[2].x});
-  const auto [y_min, y_max] = std::minmax({v[0].y, v[1].y, v[2].y});
-  constexpr std::int32_t half = subpixels / 2;
-  return {std::max((x_min + half - 1) >> subpixel_bits, target.left),
-          std::max((y_min + half - 1) >> subpixel_bits, target.top),
-          std::min((x_max - half) >> subpixel_bits, target.right() - 1),
-          std::min((y_max - half) >> subpixel_bits, target.bottom() - 1)};
-}
-
 void append_fragments(const std::array<SnappedVertex, 3>& v, const ScreenTriangle& triangle,
                       const PixelBox& box, const TileGrid& grid, ScreenPrimitives& out) {
   for (int y = box.top; y <= box.bottom; ++y) {
@@ -89,6 +78,16 @@ void ScreenPrimitives::make_room(std::size_t triangles) {
   fragments.make_room(fragment_count + fragments_room(triangles), fragment_count);
 }
 
+PixelBox centres_in_box(const std::int32_t (&x)[3], const std::int32_t (&y)[3], const Rect& target) {
+  const auto [x_min, x_max] = std::minmax({x[0], x[1], x[2]});
+  const auto [y_min, y_max] = std::minmax({y[0], y[1], y[2]});
+  constexpr std::int32_t half = subpixels / 2;
+  return {std::max((x_min + half - 1) >> subpixel_bits, target.left),
+          std::max((y_min + half - 1) >> subpixel_bits, target.top),
+          std::min((x_max - half) >> subpixel_bits, target.right() - 1),
+          std::min((y_max - half) >> subpixel_bits, target.bottom() - 1)};
+}
+
 bool is_small(const std::array<SnappedVertex, 3>& v, std::int64_t area) {
   const auto [x_min, x_max] = std::minmax({v[0].x, v[1].x, v[2].x});
   const auto [y_min, y_max] = std::minmax({v[0].y, v[1].y, v[2].y});
@@ -104,7 +103,7 @@ bool append_triangle(const ScreenTriangle& triangle, const TileGrid& grid, Scree
   std::array<SnappedVertex, 3> v = triangle.vertices;
   const bool small = is_small(v, area);
   if (area < 0) std::swap(v[1], v[2]);
-  const PixelBox box = centres_in_box(v, grid.target);
+  const PixelBox box = centres_in_box({v[0].x, v[1].x, v[2].x}, {v[0].y, v[1].y, v[2].y}, grid.target);
   if (box.is_empty()) return true;
   out.make_room(1);
   if (!small) {

@@ -37,6 +37,10 @@ struct ScreenPrimitives {
   void make_room(std::size_t triangles);
 };
 
+/// The pixels of the target whose centres lie in the box around three vertices.
+/// @param x, y  their coordinates, 1/256 pixel
+PixelBox centres_in_box(const std::int32_t (&x)[3], const std::int32_t (&y)[3], const Rect& target);
+
 /// Appends the triangle as what it becomes, if a pixel centre of the grid's target lies in its box.
 /// @return false if it has no area on the pixel grid
 bool append_triangle(const ScreenTriangle& triangle, const TileGrid& grid, ScreenPrimitives& out);

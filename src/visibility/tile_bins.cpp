@@ -22,17 +22,6 @@ TileRange tiles_of(int left, int top, int right, int bottom, const TileGrid& gri
   return {column(left), row(top), column(right), row(bottom)};
 }
 
-/// The pixels of the target whose centres lie in the triangle's box.
-PixelBox centres_in_box(const RasterTriangle& t, const Rect& target) {
-  constexpr std::int32_t half = subpixels / 2;
-  const auto [x_min, x_max] = std::minmax({t.x[0], t.x[1], t.x[2]});
-  const auto [y_min, y_max] = std::minmax({t.y[0], t.y[1], t.y[2]});
-  return {std::max((x_min + half - 1) >> subpixel_bits, target.left),
-          std::max((y_min + half - 1) >> subpixel_bits, target.top),
-          std::min((x_max - half) >> subpixel_bits, target.right() - 1),
-          std::min((y_max - half) >> subpixel_bits, target.bottom() - 1)};
-}
-
 TileRange tiles_of(const PixelBox& box, const TileGrid& grid) {
   return tiles_of(box.left, box.top, box.right, box.bottom, grid);
 }
@@ -45,7 +34,7 @@ float nearest_in(const RasterTriangle& t, int left, int top) {
   return r < t.lower ? t.lower : (r > t.upper ? t.upper : r);
 }
 
-/// @param box  centres_in_box()
+/// @param box  the triangle's centres_in_box()
 LargeEntry large_entry(const RasterTriangle& t, const PixelBox& box, std::uint32_t index, int left, int top,
                        const Rect& target) {
   const bool may_occlude = box.left <= std::max(left, target.left) && box.top <= std::max(top, target.top) &&
@@ -60,16 +49,6 @@ void for_each_tile(const TileRange& range, const Visit& visit) {
   for (int row = range.top; row <= range.bottom; ++row) {
     for (int column = range.left; column <= range.right; ++column) visit(column, row);
   }
-}
-
-/// Whether sorting them would make too many entries.
-bool meet_too_many_tiles(const ScreenPrimitives& primitives, const TileGrid& grid) {
-  std::uint64_t entries = 0;
-  for (std::size_t i = 0; i < primitives.large_count; ++i) {
-    entries +=
-        static_cast<std::uint64_t>(tiles_of(centres_in_box(primitives.large[i], grid.target), grid).count());
-  }
-  return entries > most_tile_entries;
 }
 
 /// Of what counts in blocks.
@@ -100,11 +79,7 @@ void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
   First* const first = first_.make_room(tiles + 2);
   std::fill_n(first, tiles + 2, First{0, 0, 0});
   First* const next = first + 2 - first_tile_;
-  large_are_sorted_ = !meet_too_many_tiles(primitives, grid);
-  for (std::size_t i = 0; large_are_sorted_ && i < primitives.large_count; ++i) {
-    for_each_tile(tiles_of(centres_in_box(primitives.large[i], grid.target), grid),
-                  [&](int column, int row) { ++next[row * grid.columns + column].large; });
-  }
+  count_large(primitives, grid, next);
   count_small(primitives, grid, next);
   for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
     ++next[primitives.fragments[i].place / fragment_places].fragment;
@@ -116,8 +91,22 @@ void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
   }
 }
 
+void TileBins::count_large(const ScreenPrimitives& primitives, const TileGrid& grid, First* next) {
+  PixelBox* const boxes = large_boxes_.make_room(primitives.large_count);
+  std::uint64_t entries = 0;
+  for (std::size_t i = 0; i < primitives.large_count; ++i) {
+    boxes[i] = centres_in_box(primitives.large[i].x, primitives.large[i].y, grid.target);
+    entries += static_cast<std::uint64_t>(tiles_of(boxes[i], grid).count());
+  }
+  large_are_sorted_ = entries <= most_tile_entries;
+  for (std::size_t i = 0; large_are_sorted_ && i < primitives.large_count; ++i) {
+    for_each_tile(tiles_of(boxes[i], grid),
+                  [&](int column, int row) { ++next[row * grid.columns + column].large; });
+  }
+}
+
 void TileBins::count_small(const ScreenPrimitives& primitives, const TileGrid& grid, First* next) {
-  SmallBox* const boxes = boxes_.make_room(primitives.small_count);
+  SmallBox* const boxes = small_boxes_.make_room(primitives.small_count);
   for (std::size_t i = 0; i < primitives.small_count; ++i) {
     const SmallTriangle& t = primitives.small[i];
     const auto block = [](int pixel) {
@@ -142,7 +131,7 @@ void TileBins::place_large(const ScreenPrimitives& primitives, const TileGrid& g
       large[i] = {i, triangle.upper, true};
       continue;
     }
-    const PixelBox box = centres_in_box(triangle, grid.target);
+    const PixelBox& box = large_boxes_[i];
     for_each_tile(tiles_of(box, grid), [&](int column, int row) {
       const int tile = row * grid.columns + column;
       large[next[tile].large++] = large_entry(triangle, box, i, grid.left(tile), grid.top(tile), grid.target);
@@ -154,7 +143,7 @@ void TileBins::place_small(std::size_t count, const TileGrid& grid) {
   First* const next = first_.data() + 1 - first_tile_;
   SmallEntry* const small = small_.make_room(next[end_tile_].small);
   for (std::size_t i = 0; i < count; ++i) {
-    const SmallBox& box = boxes_[i];
+    const SmallBox& box = small_boxes_[i];
     for_each_tile(tiles_of(box), [&](int column, int row) {
       small[next[row * grid.columns + column].small++] = {static_cast<std::uint32_t>(i), box.nearest,
                                                           blocks_in_tile(box, column, row)};

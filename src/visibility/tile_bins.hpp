@@ -36,6 +36,7 @@ class TileBins {
   };
 
   void count(const ScreenPrimitives& primitives, const TileGrid& grid);
+  void count_large(const ScreenPrimitives& primitives, const TileGrid& grid, First* next);
   void count_small(const ScreenPrimitives& primitives, const TileGrid& grid, First* next);
   void place_large(const ScreenPrimitives& primitives, const TileGrid& grid);
   void place_small(std::size_t count, const TileGrid& grid);
@@ -47,7 +48,8 @@ class TileBins {
   int first_tile_ = 0;  ///< tiles first_tile_ … end_tile_-1 may have something
   int end_tile_ = 0;
   bool large_are_sorted_ = true;
-  KeptArray<SmallBox> boxes_;
+  KeptArray<PixelBox> large_boxes_;
+  KeptArray<SmallBox> small_boxes_;
   // All of these tile after tile.
   KeptArray<First> first_;  ///< of each of these tiles, and one more at the end
   KeptArray<LargeEntry> large_;
