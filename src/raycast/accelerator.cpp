@@ -46,6 +46,8 @@ void Accelerator::run(Search& search) const {
 
 RayHit Accelerator::first_hit(const Ray& ray, const Interval& range, CastCounters& counters,
                               const HitFilter& filter) const {
+  RayHit hit;
+  if (cast_alone(ray, range, false, counters, filter, hit)) return hit;
   const PreparedRay prepared(ray, range, bounds_);
   Search search(triangles_, prepared, Search::Aim::first, filter, counters);
   run(search);
@@ -65,6 +67,11 @@ void Accelerator::first_hits(std::span<const ViewRay> rays, std::span<RayHit> hi
   }
 }
 
+bool Accelerator::cast_alone(const Ray&, const Interval&, bool, CastCounters&, const HitFilter&,
+                             RayHit&) const {
+  return false;
+}
+
 bool Accelerator::first_hits_together(std::span<const ViewRay>, std::span<RayHit>, CastCounters&,
                                       const HitFilter&) const {
   return false;
@@ -72,6 +79,8 @@ bool Accelerator::first_hits_together(std::span<const ViewRay>, std::span<RayHit
 
 bool Accelerator::is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,
                              const HitFilter& filter) const {
+  RayHit hit;
+  if (cast_alone(ray, range, true, counters, filter, hit)) return hit.is_hit();
   const PreparedRay prepared(ray, range, bounds_);
   Search search(triangles_, prepared, Search::Aim::any, filter, counters);
   run(search);

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "watertight.hpp"
 #include "wide_ray.hpp"
 
 namespace velum {
@@ -22,6 +23,21 @@ struct Decision {
   }
 };
 
+/// A ray that a kernel asks about.
+struct LoneRay {
+  const Ray& ray;
+  const Interval& range;
+  const Aabb& bounds;
+
+  bool decide(const TriangleBlock& block, std::size_t lane, WideHit& hit) const {
+    const auto found = intersect_watertight(PreparedRay(ray, range, bounds), triangle_in(block, lane));
+    if (!found) return false;
+    hit.t = found->t;
+    for (int i = 0; i < 3; ++i) hit.barycentric[i] = found->barycentric[i];
+    return true;
+  }
+};
+
 }  // namespace
 
 Triangle triangle_in(const TriangleBlock& block, std::size_t lane) {
@@ -36,7 +52,43 @@ WideBvh::WideBvh(const TriangleSet& triangles, Isa isa)
     : Accelerator(triangles),
       tree_(build_wide_tree(triangles, isa)),
       kernel_(isa == Isa::reference ? nullptr : traverse_wide_kernel(isa)),
-      packet_kernel_(isa == Isa::reference ? nullptr : traverse_packet_kernel(isa)) {}
+      cast_(isa == Isa::reference ? CastWideKernels{} : cast_wide_kernels(isa)),
+      packet_kernel_(isa == Isa::reference ? nullptr : traverse_packet_kernel(isa)) {
+  for (int axis = 0; axis < 3; ++axis) {
+    float_bounds_[axis] = static_cast<float>(bounds().lower[axis]);
+    float_bounds_[3 + axis] = static_cast<float>(bounds().upper[axis]);
+  }
+}
+
+bool WideBvh::cast_alone(const Ray& ray, const Interval& range, bool is_any, CastCounters& counters,
+                         const HitFilter& filter, RayHit& hit) const {
+  const CastWide kernel = is_any ? cast_.any : cast_.first;
+  if (kernel == nullptr || tree_.is_empty()) return false;
+  LoneRay context{ray, range, bounds()};
+  const WideQuery query{&ray.origin.x,
+                        &ray.direction.x,
+                        range.lower,
+                        range.upper,
+                        float_bounds_,
+                        &context,
+                        filter.accepts,
+                        filter.context,
+                        [](void* self, const TriangleBlock& block, std::size_t lane, WideHit& found) {
+                          return static_cast<const LoneRay*>(self)->decide(block, lane, found);
+                        }};
+  WideHit found{std::numeric_limits<double>::infinity(), no_triangle, {0.0, 0.0, 0.0}};
+  WideCounts counts;
+  if (!kernel(tree_.view(), query, found, counts)) return false;
+  hit.t = found.t;
+  hit.triangle = found.triangle;
+  hit.barycentric = {found.barycentric[0], found.barycentric[1], found.barycentric[2]};
+  ++counters.rays;
+  counters.hits += hit.is_hit();
+  counters.nodes += counts.nodes;
+  counters.boxes += counts.boxes;
+  counters.tests += counts.tests;
+  return true;
+}
 
 void WideBvh::traverse(Search& search) const {
   if (tree_.is_empty()) return;

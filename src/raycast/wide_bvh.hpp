@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accelerator.hpp"
+#include "wide_cast_kernels.hpp"
 #include "wide_kernels.hpp"
 #include "wide_packet_kernels.hpp"
 #include "wide_tree.hpp"
@@ -20,12 +21,16 @@ class WideBvh final : public Accelerator {
 
  private:
   void traverse(Search& search) const override;
+  bool cast_alone(const Ray& ray, const Interval& range, bool is_any, CastCounters& counters,
+                  const HitFilter& filter, RayHit& hit) const override;
   bool first_hits_together(std::span<const ViewRay> rays, std::span<RayHit> hits, CastCounters& counters,
                            const HitFilter& filter) const override;
 
   WideTree tree_;
-  TraverseWide kernel_;           ///< nullptr: plain loops
+  TraverseWide kernel_;  ///< nullptr: plain loops
+  CastWideKernels cast_{};
   TraversePacket packet_kernel_;  ///< nullptr: ray by ray
+  float float_bounds_[6];         ///< lower x, y, z, upper x, y, z
 };
 
 /// One of a block's triangles. @pre lane < 4
