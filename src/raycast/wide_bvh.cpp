@@ -30,11 +30,7 @@ struct LoneRay {
   const Aabb& bounds;
 
   bool decide(const TriangleBlock& block, std::size_t lane, WideHit& hit) const {
-    const auto found = intersect_watertight(PreparedRay(ray, range, bounds), triangle_in(block, lane));
-    if (!found) return false;
-    hit.t = found->t;
-    for (int i = 0; i < 3; ++i) hit.barycentric[i] = found->barycentric[i];
-    return true;
+    return decide_exactly(PreparedRay(ray, range, bounds), block, lane, hit);
   }
 };
 
@@ -46,6 +42,14 @@ Triangle triangle_in(const TriangleBlock& block, std::size_t lane) {
     return glm::dvec3(glm::vec3(axes[0][lane], axes[1][lane], axes[2][lane]));
   };
   return {corner(0), corner(1), corner(2)};
+}
+
+bool decide_exactly(const PreparedRay& ray, const TriangleBlock& block, std::size_t lane, WideHit& hit) {
+  const auto found = intersect_watertight(ray, triangle_in(block, lane));
+  if (!found) return false;
+  hit.t = found->t;
+  for (int i = 0; i < 3; ++i) hit.barycentric[i] = found->barycentric[i];
+  return true;
 }
 
 WideBvh::WideBvh(const TriangleSet& triangles, Isa isa)

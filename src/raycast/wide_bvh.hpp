@@ -36,6 +36,10 @@ class WideBvh final : public Accelerator {
 /// One of a block's triangles. @pre lane < 4
 Triangle triangle_in(const TriangleBlock& block, std::size_t lane);
 
+/// Asks intersect_watertight() about one of a block's triangles; what kernels call where a ray passes exactly
+/// through an edge. @return whether it is hit; then t and the barycentric coordinates are set
+bool decide_exactly(const PreparedRay& ray, const TriangleBlock& block, std::size_t lane, WideHit& hit);
+
 /// The plain loops: the oracle of the kernels, and their stand-in for rays too large or too small for
 /// float32.
 void traverse_wide_reference(const WideTree& tree, Search& search);

@@ -9,6 +9,7 @@
 
 #include "../base/simd_dispatch.hpp"
 #include "wide_exact-inl.hpp"
+#include "wide_float_ray-inl.hpp"
 #include "wide_lanes-inl.hpp"
 #include "wide_stack-inl.hpp"
 
@@ -17,50 +18,33 @@ namespace velum {
 namespace HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE float larger(float a, float b) {
-  return a > b ? a : b;
-}
-HWY_INLINE float smaller(float a, float b) {
-  return a < b ? a : b;
-}
-
-/// A float32 that is not smaller.
-HWY_INLINE float not_below(double v) {
-  constexpr double largest = 1e38;
-  const double bounded = v > largest ? largest : (v > -largest ? v : -largest);
-  const float f = static_cast<float>(bounded);
-  return f + (__builtin_fabsf(f) * 0x1p-23f + 0x1p-126f);
-}
-
 /// The ray's numbers for boxes; t is not scaled.
 /// @return false if they are too large or too small
 ///
 /// An interval that is computed from them holds the interval that PreparedRay::through() gives for the same
 /// box in double: the margin, 2^-20 of the reach and 2^-22 of the origin, is more than the rounding of the
 /// origin (2^-24 of it), of the reach, the difference, the direction, the inverse and the product (2^-24 of
-/// the reach each). Along an axis in which the ray moves by less than 2^-100, it stays within the margin; the
-/// inverse is kept at 2^100 there.
+/// the reach each).
 HWY_INLINE bool set_for_boxes(const WideQuery& query, WideRay& ray) {
-  constexpr float smallest = 0x1p-50f, largest = 0x1p50f, largest_inverse = 0x1p100f;
   float origin[3], direction[3];
   float reach = 0.0f, speed = 0.0f, sum = 0.0f, farthest = 0.0f;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float o = static_cast<float>(query.origin[axis]);
     const float d = static_cast<float>(query.direction[axis]);
     reach = larger(reach, larger(query.bounds[3 + axis] - o, o - query.bounds[axis]));
-    farthest = larger(farthest, __builtin_fabsf(o));
-    speed = larger(speed, __builtin_fabsf(d));
+    farthest = larger(farthest, size_of(o));
+    speed = larger(speed, size_of(d));
     sum += o + d;
     origin[axis] = o;
     direction[axis] = d;
   }
   // The sum finds what is not a number.
-  const bool is_usable = (reach > smallest) & (larger(reach, farthest) < largest) & (speed > smallest) &
-                         (speed < largest) & (sum < 8.0f * largest);
+  const bool is_usable = (reach > smallest_float) & (larger(reach, farthest) < largest_float) &
+                         (speed > smallest_float) & (speed < largest_float) & (sum < 8.0f * largest_float);
   if (!is_usable) return false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float inverse = smaller(larger(1.0f / direction[axis], -largest_inverse), largest_inverse);
-    const float margin = 0x1p-20f * reach + 0x1p-22f * __builtin_fabsf(origin[axis]);
+    const float margin = 0x1p-20f * reach + 0x1p-22f * size_of(origin[axis]);
     const float forwards = __builtin_copysignf(margin, inverse);
     const auto is_back = static_cast<std::uint32_t>(inverse < 0.0f);
     ray.near_from[axis] = origin[axis] + forwards;

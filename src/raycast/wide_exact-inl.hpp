@@ -10,16 +10,13 @@
 #include <hwy/highway.h>
 
 #include "wide_cast_kernels.hpp"
+#include "wide_float_ray-inl.hpp"
 #include "wide_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace velum {
 namespace HWY_NAMESPACE {
 namespace {
-
-HWY_INLINE double size_of(double v) {
-  return __builtin_fabs(v);
-}
 
 /// As PreparedRay, by the same operations.
 struct ExactRay {

@@ -1,42 +1,46 @@
 #pragma once
 
-#include "wide_kernels.hpp"
+#include "wide_cast_kernels.hpp"
 
 namespace velum {
 
-/// Eight rays. A packet of fewer repeats its last one.
-struct WidePacket {
-  static constexpr std::uint32_t size = 8;
-  const double* ray[size];  ///< each: origin, direction, and the least and the largest t that are wanted
-  float bounds[2][3];       ///< of the tree: lower, upper
+/// Eight rays, and who is asked about them.
+struct PacketQuery {
+  static constexpr std::size_t size = 8;
+  const double* rays;   ///< each: origin, direction, and the least and the largest t that are wanted
+  std::size_t count;    ///< 1 … 8; of fewer the last one is repeated
+  const float* bounds;  ///< of the tree: lower x, y, z, upper x, y, z
+  void* context;        ///< for `decide`
+  /// Whether a triangle counts; nullptr: all do.
+  bool (*accepts)(const void* context, std::uint32_t triangle);
+  const void* filter_context;
+  /// As WideQuery::decide, for one of the rays.
+  bool (*decide)(void* context, const TriangleBlock& block, std::size_t lane, std::size_t ray, WideHit& hit);
+
+  const double* ray(std::size_t i) const { return rays + 8 * (i < count ? i : count - 1); }
 };
 
-/// The same rays as intersect_watertight() sees them, exact; they share the axes.
-struct WideLines {
-  alignas(64) double origin[3][WidePacket::size];  ///< along kx, ky, kz
-  alignas(64) double shear_x[WidePacket::size];
-  alignas(64) double shear_y[WidePacket::size];
-  std::uint32_t axis[3];  ///< kx, ky, kz
+/// The hits of eight rays; see RayHit.
+struct PacketHits {
+  alignas(64) double t[PacketQuery::size];
+  alignas(64) double triangle[PacketQuery::size];
+  alignas(64) double barycentric[3][PacketQuery::size];
 };
 
-/// Who prepares the rays, when it comes to triangles, and decides about hits.
-struct PacketMeeting {
-  void* context;
-  /// @return nullptr if the rays do not share their axes
-  const WideLines* (*prepare)(void* context);
-  /// The rays of `lanes` meet, or perhaps meet, a triangle of the block.
-  /// @return the t up to which hits are wanted from now on, the largest of all rays', rounded up
-  float (*meet)(void* context, const TriangleBlock& block, std::uint32_t triangle, std::uint32_t lanes);
+enum class PacketOutcome {
+  refused,  ///< the rays have not enough in common; nothing was decided
+  missed,   ///< no ray comes near a triangle; the hits are not set
+  cast
 };
 
 /// Takes eight rays through a tree together. Boxes are met by the interval of all origins and the interval of
 /// all inverse directions (Boulos, Wald & Shirley 2006, "Geometric and Arithmetic Culling Methods for Entire
 /// Ray Packets"), so they cost as if for one ray; blocks of triangles are first held against the four planes
-/// around the rays.
-/// @return false: the rays have not enough in common, and nothing was decided about them
+/// around the rays; what is left is decided for eight rays at once by the operations of
+/// intersect_watertight().
 /// @pre the tree is not empty
-using TraversePacket = bool (*)(const WideTreeView& tree, const WidePacket& packet,
-                                const PacketMeeting& meeting, WideCounts& counts);
+using TraversePacket = PacketOutcome (*)(const WideTreeView& tree, const PacketQuery& query, PacketHits& hits,
+                                         WideCounts& counts);
 
 /// @pre is_available(isa), and not `reference`
 TraversePacket traverse_packet_kernel(Isa isa);

@@ -7,7 +7,9 @@
 #include <hwy/highway.h>
 
 #include "../base/simd_dispatch.hpp"
+#include "wide_beam-inl.hpp"
 #include "wide_packet-inl.hpp"
+#include "wide_packet_exact-inl.hpp"
 #include "wide_stack-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,27 +19,24 @@ namespace {
 
 /// Leaves, once the rays are prepared for triangles.
 struct PacketLeaves {
-  const PacketMeeting& meeting;
-  const WideLines& lines;
   PacketBeam beam;
+  FirstHits first_hits;
 
   /// @return the t up to which hits are wanted from now on
-  HWY_INLINE float visit(const TriangleBlock& block, float upper, std::uint64_t& tests) const {
-    std::uint32_t near = beam.perhaps_met(block);
-    while (near != 0) {
+  HWY_INLINE float visit(const TriangleBlock& block, float upper, std::uint64_t& tests) {
+    bool is_hit = false;
+    for (std::uint32_t near = beam.perhaps_met(block); near != 0;) {
       const std::size_t triangle = take_lowest(near);
       if (block.id[triangle] == 0xFFFFFFFFu) break;
-      tests += WidePacket::size;
-      const std::uint32_t lanes = rays_that_meet(block, triangle, lines);
-      if (lanes != 0)
-        upper = meeting.meet(meeting.context, block, static_cast<std::uint32_t>(triangle), lanes);
+      tests += PacketQuery::size;
+      is_hit |= first_hits.test(block, triangle);
     }
-    return upper;
+    return is_hit ? first_hits.upper() : upper;
   }
 };
 
 /// The rest of the way, from the first leaf on.
-void visit_leaves(const WideTreeView& tree, const BoxPacket& box_packet, const PacketLeaves& leaves,
+void visit_leaves(const WideTreeView& tree, const BoxPacket& box_packet, PacketLeaves& leaves,
                   WideReference current, float upper, Stack& stack, WideCounts& counts) {
   for (bool is_left = true; is_left;) {
     ++counts.nodes;
@@ -77,24 +76,25 @@ HWY_INLINE bool find_leaf(const WideTreeView& tree, const BoxPacket& box_packet,
 
 }  // namespace
 
-bool traverse_packet(const WideTreeView& tree, const WidePacket& packet, const PacketMeeting& meeting,
-                     WideCounts& counts) {
-  const PacketFrustum frustum(packet);
-  if (!frustum.is_usable) return false;
+PacketOutcome traverse_packet(const WideTreeView& tree, const PacketQuery& query, PacketHits& hits,
+                              WideCounts& counts) {
+  const PacketFrustum frustum(query);
+  if (!frustum.is_usable) return PacketOutcome::refused;
   const BoxPacket box_packet(frustum);
   Stack stack;
   WideReference current = tree.root;
   WideCounts seen;
-  if (find_leaf(tree, box_packet, frustum.upper, stack, current, seen)) {
-    const WideLines* lines = meeting.prepare(meeting.context);
-    if (lines == nullptr) return false;
-    const PacketLeaves leaves{meeting, *lines, PacketBeam(packet, frustum)};
+  const bool has_leaf = find_leaf(tree, box_packet, frustum.upper, stack, current, seen);
+  if (has_leaf) {
+    PacketLines lines;
+    if (!lines.set(query)) return PacketOutcome::refused;
+    PacketLeaves leaves{PacketBeam(query, frustum, lines), FirstHits(query, lines, hits)};
     visit_leaves(tree, box_packet, leaves, current, frustum.upper, stack, seen);
   }
   counts.nodes += seen.nodes;
   counts.boxes += seen.boxes;
   counts.tests += seen.tests;
-  return true;
+  return has_leaf ? PacketOutcome::cast : PacketOutcome::missed;
 }
 
 }  // namespace HWY_NAMESPACE
