@@ -1,6 +1,6 @@
 // One volume around a mesh: its surface, how many lines meet it and how many of those meet the mesh, and the
 // time it takes to ask.
-#include <velum/raycast/bounded_brute_force.hpp>
+#include <velum/raycast/brute_force/bounded_brute_force.hpp>
 #include <velum/spatial/convex_hull.hpp>
 #include <velum/velum.hpp>
 

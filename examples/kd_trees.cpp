@@ -1,7 +1,7 @@
 // One mesh in kd-trees that are built and walked in different ways: what building, loading and a ray cost, in
 // processor time, and how many nodes and triangles a ray meets.
-#include <velum/raycast/kd_file.hpp>
-#include <velum/raycast/kd_packet.hpp>
+#include <velum/raycast/kd/kd_file.hpp>
+#include <velum/raycast/kd/kd_packet.hpp>
 #include <velum/velum.hpp>
 
 #include <algorithm>

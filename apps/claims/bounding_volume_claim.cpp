@@ -4,7 +4,7 @@
 #include <limits>
 #include <plots/bar_plot.hpp>
 #include <velum/base/error.hpp>
-#include <velum/raycast/bounded_brute_force.hpp>
+#include <velum/raycast/brute_force/bounded_brute_force.hpp>
 
 #include "claim.hpp"
 #include "measure.hpp"

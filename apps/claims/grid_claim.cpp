@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <plots/bar_plot.hpp>
-#include <velum/raycast/grid.hpp>
+#include <velum/raycast/space/grid.hpp>
 
 #include "claim.hpp"
 #include "measure.hpp"

@@ -3,10 +3,10 @@
 #include <functional>
 #include <limits>
 #include <plots/bar_plot.hpp>
-#include <velum/raycast/bvh.hpp>
-#include <velum/raycast/bvh_refit.hpp>
-#include <velum/raycast/grid.hpp>
-#include <velum/raycast/kd_tree.hpp>
+#include <velum/raycast/bvh/bvh.hpp>
+#include <velum/raycast/bvh/bvh_refit.hpp>
+#include <velum/raycast/kd/kd_tree.hpp>
+#include <velum/raycast/space/grid.hpp>
 
 #include "claim.hpp"
 #include "measure.hpp"

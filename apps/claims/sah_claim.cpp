@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <plots/bar_plot.hpp>
-#include <velum/raycast/bvh.hpp>
+#include <velum/raycast/bvh/bvh.hpp>
 
 #include "claim.hpp"
 #include "measure.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <plots/log_plot.hpp>
-#include <velum/raycast/kd_file.hpp>
+#include <velum/raycast/kd/kd_file.hpp>
 
 #include "claim.hpp"
 #include "measure.hpp"

@@ -2,7 +2,7 @@
 // size, where a fixed distance is too large.
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <velum/raycast/bvh.hpp>
+#include <velum/raycast/bvh/bvh.hpp>
 #include <velum/raycast/leave_surface.hpp>
 
 #include "blocks.hpp"

@@ -10,7 +10,7 @@
 #include "../base/floating_point.hpp"
 #include "../image/visibility_buffer.hpp"
 #include "../raycast/camera_rays.hpp"
-#include "../raycast/ellipsoid_intersection.hpp"
+#include "../raycast/intersection/ellipsoid_intersection.hpp"
 #include "check_request.hpp"
 #include "render.hpp"
 

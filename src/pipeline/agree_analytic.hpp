@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "../projection/camera.hpp"
-#include "../raycast/cylinder_intersection.hpp"
-#include "../raycast/sphere_intersection.hpp"
+#include "../raycast/intersection/cylinder_intersection.hpp"
+#include "../raycast/intersection/sphere_intersection.hpp"
 #include "../scene/scene.hpp"
 #include "settings.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "../base/floating_point.hpp"
-#include "../raycast/bvh.hpp"
-#include "../raycast/watertight.hpp"
+#include "../raycast/bvh/bvh.hpp"
+#include "../raycast/intersection/watertight.hpp"
 #include "check_request.hpp"
 #include "ray_stage.hpp"
 

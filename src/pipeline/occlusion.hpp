@@ -8,7 +8,7 @@
 
 #include "../base/aabb.hpp"
 #include "../projection/camera.hpp"
-#include "../raycast/sphere_intersection.hpp"
+#include "../raycast/intersection/sphere_intersection.hpp"
 #include "../scene/scene.hpp"
 
 namespace velum {

@@ -1,11 +1,11 @@
 #include "accelerator.hpp"
-#include "brute_force.hpp"
-#include "bsp_tree.hpp"
-#include "bvh.hpp"
-#include "grid.hpp"
-#include "kd_tree.hpp"
-#include "octree_caster.hpp"
-#include "wide_bvh.hpp"
+#include "brute_force/brute_force.hpp"
+#include "bvh/bvh.hpp"
+#include "kd/kd_tree.hpp"
+#include "space/bsp_tree.hpp"
+#include "space/grid.hpp"
+#include "space/octree_caster.hpp"
+#include "wide/wide_bvh.hpp"
 
 namespace velum {
 

@@ -4,7 +4,7 @@
 
 #include "../base/ray.hpp"
 #include "../projection/viewport.hpp"
-#include "interval.hpp"
+#include "intersection/interval.hpp"
 
 namespace velum {
 

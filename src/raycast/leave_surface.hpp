@@ -4,7 +4,7 @@
 
 #include "../base/aabb.hpp"
 #include "../base/ray.hpp"
-#include "interval.hpp"
+#include "intersection/interval.hpp"
 #include "search.hpp"
 
 namespace velum {

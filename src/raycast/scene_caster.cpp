@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "bvh_build.hpp"
+#include "bvh/bvh_build.hpp"
 
 namespace velum {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "../scene/scene.hpp"
 #include "accelerator.hpp"
-#include "bvh_tree.hpp"
+#include "bvh/bvh_tree.hpp"
 
 namespace velum {
 

@@ -1,6 +1,6 @@
 #include "search.hpp"
 
-#include "watertight.hpp"
+#include "intersection/watertight.hpp"
 
 namespace velum {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "prepared_ray.hpp"
+#include "intersection/prepared_ray.hpp"
 #include "ray_hit.hpp"
 #include "triangle_set.hpp"
 

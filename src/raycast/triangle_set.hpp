@@ -7,7 +7,7 @@
 #include <span>
 
 #include "../base/aabb.hpp"
-#include "triangle_intersection.hpp"
+#include "intersection/triangle_intersection.hpp"
 
 namespace velum {
 

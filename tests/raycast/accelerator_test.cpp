@@ -5,14 +5,14 @@
 #include <string>
 
 #include "random_scenes.hpp"
-#include "raycast/bounded_brute_force.hpp"
-#include "raycast/brute_force.hpp"
-#include "raycast/bsp_tree.hpp"
-#include "raycast/bvh.hpp"
-#include "raycast/grid.hpp"
-#include "raycast/kd_tree.hpp"
-#include "raycast/octree_caster.hpp"
-#include "raycast/wide_bvh.hpp"
+#include "raycast/brute_force/bounded_brute_force.hpp"
+#include "raycast/brute_force/brute_force.hpp"
+#include "raycast/bvh/bvh.hpp"
+#include "raycast/kd/kd_tree.hpp"
+#include "raycast/space/bsp_tree.hpp"
+#include "raycast/space/grid.hpp"
+#include "raycast/space/octree_caster.hpp"
+#include "raycast/wide/wide_bvh.hpp"
 #include "spatial/convex_hull.hpp"
 
 using namespace velum;

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "random_rays.hpp"
-#include "raycast/box_intersection.hpp"
+#include "raycast/intersection/box_intersection.hpp"
 
 using namespace velum;
 

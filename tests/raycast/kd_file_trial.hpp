@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "random_scenes.hpp"
-#include "raycast/kd_file.hpp"
+#include "raycast/kd/kd_file.hpp"
 
 /// What a kd-tree's file must stand, whatever its bytes: reading them ends in an Error (read) or a tree, and
 /// every ray through that tree finds an end. Says so by throwing std::logic_error.

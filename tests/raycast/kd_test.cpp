@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "random_scenes.hpp"
-#include "raycast/brute_force.hpp"
-#include "raycast/kd_packet.hpp"
-#include "raycast/kd_split.hpp"
-#include "raycast/kd_tree.hpp"
+#include "raycast/brute_force/brute_force.hpp"
+#include "raycast/kd/kd_packet.hpp"
+#include "raycast/kd/kd_split.hpp"
+#include "raycast/kd/kd_tree.hpp"
 
 using namespace velum;
 

@@ -5,7 +5,7 @@
 #include <velum/velum.hpp>
 
 #include "random_rays.hpp"
-#include "raycast/bvh.hpp"
+#include "raycast/bvh/bvh.hpp"
 
 using namespace velum;
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "random_rays.hpp"
-#include "raycast/plane_intersection.hpp"
-#include "raycast/polygon_intersection.hpp"
-#include "raycast/triangle_intersection.hpp"
+#include "raycast/intersection/plane_intersection.hpp"
+#include "raycast/intersection/polygon_intersection.hpp"
+#include "raycast/intersection/triangle_intersection.hpp"
 
 using namespace velum;
 

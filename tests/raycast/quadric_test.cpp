@@ -4,9 +4,9 @@
 #include <glm/matrix.hpp>
 
 #include "random_rays.hpp"
-#include "raycast/cylinder_intersection.hpp"
-#include "raycast/ellipsoid_intersection.hpp"
-#include "raycast/sphere_intersection.hpp"
+#include "raycast/intersection/cylinder_intersection.hpp"
+#include "raycast/intersection/ellipsoid_intersection.hpp"
+#include "raycast/intersection/sphere_intersection.hpp"
 
 using namespace velum;
 

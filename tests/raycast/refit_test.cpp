@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "random_scenes.hpp"
-#include "raycast/brute_force.hpp"
-#include "raycast/bvh.hpp"
-#include "raycast/bvh_refit.hpp"
+#include "raycast/brute_force/brute_force.hpp"
+#include "raycast/bvh/bvh.hpp"
+#include "raycast/bvh/bvh_refit.hpp"
 
 using namespace velum;
 

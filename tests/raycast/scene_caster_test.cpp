@@ -5,8 +5,8 @@
 
 #include "random_scenes.hpp"
 #include "raycast/camera_rays.hpp"
+#include "raycast/intersection/watertight.hpp"
 #include "raycast/scene_caster.hpp"
-#include "raycast/watertight.hpp"
 
 using namespace velum;
 

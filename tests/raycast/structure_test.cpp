@@ -6,11 +6,11 @@
 #include <set>
 
 #include "random_scenes.hpp"
-#include "raycast/bounded_brute_force.hpp"
-#include "raycast/bsp_tree.hpp"
-#include "raycast/bvh.hpp"
-#include "raycast/grid.hpp"
-#include "raycast/kd_tree.hpp"
+#include "raycast/brute_force/bounded_brute_force.hpp"
+#include "raycast/bvh/bvh.hpp"
+#include "raycast/kd/kd_tree.hpp"
+#include "raycast/space/bsp_tree.hpp"
+#include "raycast/space/grid.hpp"
 #include "spatial/convex_hull.hpp"
 
 using namespace velum;

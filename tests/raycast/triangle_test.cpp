@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "random_rays.hpp"
-#include "raycast/watertight.hpp"
+#include "raycast/intersection/watertight.hpp"
 
 using namespace velum;
 

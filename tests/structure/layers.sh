@@ -1,7 +1,8 @@
 #!/bin/sh
 # layers.sh TREE: fails, naming each line, when an include breaks the ranks of the modules.
-#  src/X includes files of its own folder and "../Y/…" of strictly lower rank; apps, examples and bench include
-#  <velum/…> and files of their own folder; of bench, only bench/kernels looks inside (docs/decisions/0010).
+#  src/X, its subfolders with it, includes files of its own module and "../Y/…" of strictly lower rank, by the
+#  shortest way; apps, examples and bench include <velum/…> and files of their own folder; of bench, only
+#  bench/kernels looks inside (docs/decisions/0010).
 #  The ranks are this table.
 set -eu
 tree=$1
@@ -22,21 +23,28 @@ awk -v tree="$tree/" '
     broken = 1
   }
 
-  function check_library(module, parts) {
+  # path[1..depth]: src, the module, its subfolders, the file.
+  function check_library(module, parts, count, up, other) {
     if (quote == "<") {
       if (target ~ /^velum\// || target ~ /^\.\.?\//) complain("the library includes its own files as \"../module/file.hpp\"")
       return
     }
     if (!(module in rank)) {
       complain("the folder src/" module " has no rank: give it one in tests/structure/layers.sh")
-    } else if (target ~ /^[^\/]+$/) {
-      # Its own folder.
-    } else if (split(target, parts, "/") == 3 && parts[1] == ".." && parts[2] in rank) {
-      if (parts[2] == module) complain("a file of the own folder is included by its bare name")
-      else if (rank[parts[2]] >= rank[module])
-        complain(module " (rank " rank[module] ") may not include " parts[2] " (rank " rank[parts[2]] ")")
-    } else {
+      return
+    }
+    count = split(target, parts, "/")
+    for (up = 0; parts[up + 1] == ".."; ++up) continue
+    other = parts[up + 1]
+    if (up < depth - 2) {  # within the module; a file must not be sought in the folder that the way leads out of
+      if (up == 0 ? count > 1 && other in rank : count > up + 1 && other == path[depth - up])
+        complain("a file of the own folder is included by its bare name")
+    } else if (up > depth - 2 || count < up + 2 || !(other in rank)) {
       complain("expected \"file.hpp\" or \"../module/file.hpp\" with a module that has a rank")
+    } else if (other == module) {
+      complain("a file of the own folder is included by its bare name")
+    } else if (rank[other] >= rank[module]) {
+      complain(module " (rank " rank[module] ") may not include " other " (rank " rank[other] ")")
     }
   }
 

@@ -4,7 +4,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree/src/base" "$tree/src/image" "$tree/src/projection" "$tree/src/scene" "$tree/apps/tool" "$tree/bench/kernels"
+mkdir -p "$tree/src/base" "$tree/src/image" "$tree/src/projection" "$tree/src/scene/mesh" "$tree/apps/tool" "$tree/bench/kernels"
 
 plant() { printf '%s\n' "$2" >"$tree/$1"; }
 
@@ -13,6 +13,8 @@ restore() {
   plant src/image/image.hpp '#include "../base/error.hpp"'
   plant src/projection/camera.hpp '#include "../base/error.hpp"'
   plant src/scene/scene.cpp '#include "scene.hpp"'
+  plant src/scene/mesh/mesh.hpp '#include "../../base/error.hpp"'
+  plant src/scene/mesh/mesh.cpp '#include "../scene.hpp"'
   plant src/velum.hpp '#include "scene/scene.hpp"'
   plant apps/tool/main.cpp '#include <velum/velum.hpp>'
   plant bench/main.cpp '#include <velum/velum.hpp>'
@@ -44,6 +46,10 @@ must_find src/image/image.hpp '  #  include "../image/other.hpp"'
 must_find src/scene/scene.cpp '#include "scene/scene.hpp"'
 must_find src/scene/scene.cpp '#include "../attic/old.hpp"'
 must_find src/scene/scene.cpp '#include <velum/velum.hpp>'
+must_find src/scene/mesh/mesh.hpp '#include "../../raycast/search.hpp"'
+must_find src/scene/mesh/mesh.hpp '#include "../../scene/scene.hpp"'
+must_find src/scene/mesh/mesh.hpp '#include "../mesh/mesh.hpp"'
+must_find src/scene/mesh/mesh.hpp '#include "../../../src/base/error.hpp"'
 must_find src/attic/old.hpp '#include "older.hpp"'
 must_find apps/tool/main.cpp '#include "../../src/scene/scene.hpp"'
 must_find apps/tool/main.cpp '#include "velum/velum.hpp"'
