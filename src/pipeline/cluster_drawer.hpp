@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../visibility/z_pyramid.hpp"
+#include "empty_triangles.hpp"
 #include "scene_octrees.hpp"
 #include "tile_stage.hpp"
 
@@ -85,6 +86,10 @@ struct TiledClusterBuffers {
   /// Memory of a worker.
   struct Worker {
     PlacedVertices vertices;
+    KeptArray<std::int32_t> packed;      ///< vertices of a cluster, see EmptyTrianglesWork
+    KeptArray<std::uint32_t> indices;    ///< of a group's triangles that may cover a pixel centre
+    KeptArray<std::uint32_t> triangles;  ///< and which of the mesh's they are
+    std::uint32_t kept = 0;              ///< how many
     BatchScratch scratch;
     TileOrder order;
     TileCounts counts;
@@ -112,8 +117,11 @@ class TiledClusters : public ClusterDrawer {
   using Worker = TiledClusterBuffers::Worker;
   void make_groups(const ClusterBatch& batch);
   void set_up_group(const ClusterBatch& batch, Group& group, Worker& worker) const;
-  void set_up_clusters(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
-                       const MeshCluster& cluster, Group& group, Worker& worker) const;
+  void set_up_instance(const ClusterBatch& batch, std::uint32_t first, std::uint32_t end, Group& group,
+                       Worker& worker) const;
+  void place_vertices(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
+                      const MeshCluster& cluster, Group& group, Worker& worker) const;
+  void leave_out_empty(const MeshCluster& cluster, bool is_mirrored, Group& group, Worker& worker) const;
   void leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const;
   void draw_tile(std::size_t tile, Worker& worker) const;
   void publish_tile(std::size_t tile, int last_level) const;
@@ -122,6 +130,7 @@ class TiledClusters : public ClusterDrawer {
   TiledClusterBuffers& buffers_;
   const TileGrid grid_;
   const TransformVertices transform_;
+  const LeaveOutEmpty leave_out_empty_;
   const SetUpTriangles set_up_;
   const TileRaster raster_;
 };

@@ -34,6 +34,7 @@ TiledClusters::TiledClusters(const ClusterInput& input, TiledClusterBuffers& buf
       buffers_(buffers),
       grid_(input.frame.rect),
       transform_(transform_kernel(input.frame.settings.isa)),
+      leave_out_empty_(empty_triangles_kernel(input.frame.settings.isa)),
       set_up_(set_up_kernel(input.frame.settings.isa)),
       raster_(tile_raster(input.frame.settings.isa)) {
   const auto tiles = static_cast<std::size_t>(grid_.count());
@@ -45,6 +46,13 @@ TiledClusters::TiledClusters(const ClusterInput& input, TiledClusterBuffers& buf
 void TiledClusters::draw(const ClusterBatch& batch) {
   if (batch.entries.empty()) return;
   make_groups(batch);
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < buffers_.used; ++i) most = std::max(most, buffers_.groups[i].triangles);
+  for (Worker& worker : buffers_.workers) {
+    worker.indices.make_room(3 * most);
+    worker.triangles.make_room(most + kept_room);
+    worker.packed.make_room(packed_room(3 * most));
+  }
   input_.frame.executor.for_each(buffers_.used, [&](std::size_t i, int worker) {
     set_up_group(batch, buffers_.groups[i], buffers_.workers[static_cast<std::size_t>(worker)]);
   });
@@ -85,38 +93,71 @@ void TiledClusters::set_up_group(const ClusterBatch& batch, Group& group, Worker
   primitives.clear();
   primitives.make_room(group.triangles);
   for (std::uint32_t i = group.first, end = i; i < group.last; i = end) {
-    const ClusterBatch::Entry& first = batch.entries[i];
-    const ClusterBatch::PlacedMesh& placed = batch.meshes[first.placed];
-    const MeshOctree& octree = input_.octrees.mesh(input_.frame.scene.instances()[placed.instance].mesh);
-    const auto goes_on = [&](const ClusterBatch::Entry& last, const ClusterBatch::Entry& next) {
-      return next.placed == last.placed && octree.are_neighbours(last.cluster, next.cluster);
-    };
-    for (end = i + 1; end < group.last && goes_on(batch.entries[end - 1], batch.entries[end]);) ++end;
-    set_up_clusters(placed, octree, octree.clusters(first.cluster, batch.entries[end - 1].cluster + 1), group,
-                    worker);
+    while (end < group.last && batch.entries[end].placed == batch.entries[i].placed) ++end;
+    set_up_instance(batch, i, end, group, worker);
   }
   if (input_.tests_polygons && !batch.comes_first) leave_out_hidden(primitives, group.counters.hierarchy);
   group.bins.sort(primitives, grid_);
 }
 
-void TiledClusters::set_up_clusters(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
-                                    const MeshCluster& cluster, Group& group, Worker& worker) const {
+/// Sets up entries first … end-1, all of one instance.
+void TiledClusters::set_up_instance(const ClusterBatch& batch, std::uint32_t first, std::uint32_t end,
+                                    Group& group, Worker& worker) const {
+  const ClusterBatch::PlacedMesh& placed = batch.meshes[batch.entries[first].placed];
+  const Scene& scene = input_.frame.scene;
+  const Instance& instance = scene.instances()[placed.instance];
+  const MeshOctree& octree = input_.octrees.mesh(instance.mesh);
+  const bool is_mirrored = is_mirroring(instance.world_from_object);
+  worker.kept = 0;
+  for (std::uint32_t i = first, next = i; i < end; i = next) {
+    for (next = i + 1; next < end; ++next) {
+      if (!octree.are_neighbours(batch.entries[next - 1].cluster, batch.entries[next].cluster)) break;
+    }
+    place_vertices(placed, octree,
+                   octree.clusters(batch.entries[i].cluster, batch.entries[next - 1].cluster + 1), group,
+                   worker);
+    for (std::uint32_t k = i; k < next; ++k) {
+      leave_out_empty(octree.cluster(batch.entries[k].cluster), is_mirrored, group, worker);
+    }
+  }
+  set_up_triangles({scene, input_.frame.settings, grid_, set_up_},
+                   {worker.indices.data(), 0, worker.kept, scene.first_primitive(placed.instance),
+                    worker.triangles.data(), octree.positions().data(), worker.vertices.placed.data(),
+                    worker.vertices.clip_from_object, is_mirrored},
+                   group.primitives, worker.scratch, group.counters);
+}
+
+void TiledClusters::place_vertices(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
+                                   const MeshCluster& cluster, Group& group, Worker& worker) const {
   const RenderSettings& settings = input_.frame.settings;
-  const std::size_t vertex_count = cluster.positions.size();
   PlacedVertices& vertices = worker.vertices;
   if (vertices.placed.size() < octree.positions().size()) vertices.placed.resize(octree.positions().size());
   vertices.clip_from_object = placed.clip_from_object;
-  transform_({&cluster.positions[0].x, vertex_count, glm::value_ptr(vertices.clip_from_object),
+  transform_({&cluster.positions[0].x, cluster.positions.size(), glm::value_ptr(vertices.clip_from_object),
               settings.width, settings.height, nullptr, nullptr,
               vertices.placed.data() + cluster.first_position});
-  group.counters.vertices += vertex_count;
-  const Scene& scene = input_.frame.scene;
-  set_up_triangles({scene, settings, grid_, set_up_},
-                   {cluster.indices.data(), 0, static_cast<std::uint32_t>(cluster.triangles.size()),
-                    scene.first_primitive(placed.instance), cluster.triangles.data(),
-                    octree.positions().data(), vertices.placed.data(), vertices.clip_from_object,
-                    is_mirroring(scene.instances()[placed.instance].world_from_object)},
-                   group.primitives, worker.scratch, group.counters);
+  group.counters.vertices += cluster.positions.size();
+}
+
+/// Appends those of the cluster's triangles that may cover a pixel centre to the worker's.
+void TiledClusters::leave_out_empty(const MeshCluster& cluster, bool is_mirrored, Group& group,
+                                    Worker& worker) const {
+  SetUpWork facing{};
+  set_culling(facing, input_.frame.settings.cull, is_mirrored);
+  worker.kept += leave_out_empty_({worker.vertices.placed.data(),
+                                   cluster.first_position,
+                                   static_cast<std::uint32_t>(cluster.positions.size()),
+                                   cluster.indices.data(),
+                                   {cluster.corners[0], cluster.corners[1], cluster.corners[2]},
+                                   cluster.triangles.data(),
+                                   static_cast<std::uint32_t>(cluster.triangles.size()),
+                                   facing.is_back_positive,
+                                   facing.cull_positive,
+                                   facing.cull_negative,
+                                   worker.indices.data() + 3 * static_cast<std::size_t>(worker.kept),
+                                   worker.triangles.data() + worker.kept,
+                                   worker.packed.data()},
+                                  group.counters);
 }
 
 void TiledClusters::leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const {

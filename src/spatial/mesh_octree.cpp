@@ -43,8 +43,11 @@ class MeshOctree::Writer {
       out_.triangles_.push_back(i);
       out_.cluster_of_triangle_[i] = cluster;
       const glm::uvec3& t = mesh_.triangles[i];
-      for (const std::uint32_t vertex : {t.x, t.y, t.z})
-        out_.indices_.push_back(local(vertex, cluster, span));
+      for (int v = 0; v < 3; ++v) {
+        const std::uint32_t index = local(t[v], cluster, span);
+        out_.indices_.push_back(index);
+        out_.corners_[v].push_back(static_cast<std::uint16_t>(index - span.first_position));
+      }
     }
     out_.spans_.push_back(span);
     const MeshCluster written = out_.cluster(cluster);
@@ -85,6 +88,10 @@ MeshOctree::MeshOctree(const Mesh& mesh, const MeshOctreeOptions& options) {
     writer.write(items.subspan(node.first, node.own_end - node.first));
   }
   writer.write(octree_.loose());
+  for (std::vector<std::uint16_t>& corners : corners_) {
+    corners.resize(corners.size() + corners_behind);
+    corners.shrink_to_fit();
+  }
   positions_.shrink_to_fit();
 }
 
@@ -92,14 +99,18 @@ MeshCluster MeshOctree::clusters(std::size_t first, std::size_t end) const {
   const Span &from = spans_[first], &last = spans_[end - 1];
   const std::size_t positions = last.first_position + last.position_count - from.first_position;
   const std::size_t triangles = last.first_triangle + last.triangle_count - from.first_triangle;
-  return {std::span(positions_).subspan(from.first_position, positions), from.first_position,
+  return {std::span(positions_).subspan(from.first_position, positions),
+          from.first_position,
           std::span(indices_).subspan(3 * std::size_t{from.first_triangle}, 3 * triangles),
-          std::span(triangles_).subspan(from.first_triangle, triangles)};
+          std::span(triangles_).subspan(from.first_triangle, triangles),
+          {corners_[0].data() + from.first_triangle, corners_[1].data() + from.first_triangle,
+           corners_[2].data() + from.first_triangle}};
 }
 
 std::size_t MeshOctree::bytes() const {
   return octree_.bytes() + bytes_of(spans_) + bytes_of(cones_) + bytes_of(tight_boxes_) +
-         bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_);
+         bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_) +
+         bytes_of(corners_[0]) + bytes_of(corners_[1]) + bytes_of(corners_[2]);
 }
 
 }  // namespace velum

@@ -19,7 +19,11 @@ struct MeshCluster {
   std::uint32_t first_position = 0;          ///< where they stand among all of MeshOctree::positions()
   std::span<const std::uint32_t> indices;    ///< three per triangle, into MeshOctree::positions()
   std::span<const std::uint32_t> triangles;  ///< which of the mesh's triangles they are
+  /// The first, second, third corners' indices less first_position, modulo 65536; so many more can be read
+  /// behind the last as corners_behind says. Of one node: of neighbouring nodes each counts its own.
+  const std::uint16_t* corners[3] = {nullptr, nullptr, nullptr};
 };
+inline constexpr std::size_t corners_behind = 16;
 
 struct MeshOctreeOptions {
   OctreePlacement placement = OctreePlacement::pushed_down;
@@ -74,6 +78,7 @@ class MeshOctree {
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> cluster_of_triangle_;
+  std::vector<std::uint16_t> corners_[3];
 };
 
 }  // namespace velum
