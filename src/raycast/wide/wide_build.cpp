@@ -2,7 +2,9 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <string>
 
+#include "../../base/error.hpp"
 #include "wide_build_kernels.hpp"
 #include "wide_tree.hpp"
 
@@ -110,6 +112,10 @@ class WideBuilder {
 
   WideReference add_block(const BuildRange& range) {
     const auto index = static_cast<std::uint32_t>(tree_.blocks.size());
+    if (index >= WideReference::most_blocks) {
+      throw Error(ErrorKind::limit, std::to_string(items_.size()) + " triangles are too many for one mesh",
+                  "accelerator bvh", "divide the mesh");
+    }
     TriangleBlock& block = tree_.blocks.emplace_back();
     for (std::size_t lane = 0; lane < block_size; ++lane) {
       const bool is_used = lane < range.size();

@@ -103,14 +103,14 @@ HWY_INLINE bool take(const WideQuery& query, const TriangleBlock& block, const M
 }
 
 /// The next child that is entered, as they come; the others wait.
-HWY_INLINE WideReference one_of(const WideTreeView& tree, const WideNode& node, std::uint32_t mask,
+HWY_INLINE WideReference one_of(const Places& places, const WideNode& node, std::uint32_t mask,
                                 Stack& stack) {
   std::size_t child = take_lowest(mask);
   while (mask != 0) {
-    stack.push({0.0f, node.child[child]});
+    stack.push(Waiting(0.0f, node.child[child]));
     child = take_lowest(mask);
   }
-  ask_for(tree, node.child[child]);
+  places.ask_for(node.child[child]);
   return node.child[child];
 }
 
@@ -121,6 +121,7 @@ HWY_INLINE bool cast(const WideTreeView& tree, const WideQuery& query, WideHit& 
   const BoxRay box_ray(ray);
   ExactRay exact_ray;
   bool is_exact = false;
+  const Places places(tree);
   WideReference current = tree.root;
   std::uint64_t inner = 0, leaves = 0, tests = 0;
   float upper = ray.upper;
@@ -129,17 +130,18 @@ HWY_INLINE bool cast(const WideTreeView& tree, const WideQuery& query, WideHit& 
   for (;;) {
     if (!current.is_block()) {
       ++inner;
-      const WideNode& node = tree.nodes[current.index()];
+      const WideNode& node = places.node(current);
       HWY_ALIGN float entry[8];
       const std::uint32_t mask = entered(box_ray, node, upper, entry);
       if (mask != 0) {
-        current = aim == Aim::any ? one_of(tree, node, mask, stack) : nearest(tree, node, mask, entry, stack);
+        current =
+            aim == Aim::any ? one_of(places, node, mask, stack) : nearest(places, node, mask, entry, stack);
         continue;
       }
     } else {
       ++leaves;
       tests += current.triangles();
-      const TriangleBlock& block = tree.blocks[current.index()];
+      const TriangleBlock& block = places.block(current);
       if (!is_exact) exact_ray.set(query);  // many rays never come here
       is_exact = true;
       const MetTriangles triangles_met(block, exact_ray, query.lower, limit);
@@ -151,7 +153,7 @@ HWY_INLINE bool cast(const WideTreeView& tree, const WideQuery& query, WideHit& 
     }
     if (aim == Aim::any) {
       if (stack.is_empty()) break;
-      current = stack.pop().below;
+      current = stack.pop().below();
     } else if (!take_next(stack, upper, current)) {
       break;
     }

@@ -4,24 +4,32 @@
 
 namespace velum {
 
-/// What hangs below a child of a wide node: nothing, a node, or a block of one to four triangles.
+/// What hangs below a child of a wide node: nothing, a node, or a block of one to four triangles. Says in
+/// which place of memory, in steps of 32 bytes, so that kernels need not multiply.
 class WideReference {
  public:
+  static constexpr std::uint32_t most_nodes = 0x80000000u / 7u, most_blocks = 0x20000000u / 5u;
+
   /// Of no meaning; does nothing, since every ray has a stack of these.
   WideReference() = default;
-  static WideReference to_node(std::uint32_t index) { return WideReference(index); }
-  /// @pre 1 ≤ triangles ≤ 4, index < 2^29
+  explicit WideReference(std::uint32_t bits) : bits_(bits) {}
+  /// @pre index < most_nodes
+  static WideReference to_node(std::uint32_t index) { return WideReference(node_steps * index); }
+  /// @pre 1 ≤ triangles ≤ 4, index < most_blocks
   static WideReference to_block(std::uint32_t index, std::uint32_t triangles) {
-    return WideReference(leaf_bit | (triangles - 1u) << 29 | index);
+    return WideReference(leaf_bit | (triangles - 1u) << 29 | block_steps * index);
   }
 
   bool is_block() const { return (bits_ & leaf_bit) != 0; }
-  std::uint32_t index() const { return is_block() ? bits_ & 0x1FFFFFFFu : bits_; }
+  std::uint32_t index() const { return is_block() ? steps() / block_steps : steps() / node_steps; }
   std::uint32_t triangles() const { return (bits_ >> 29 & 3u) + 1u; }
+  /// From the first node, or the first block, on; in steps of 32 bytes.
+  std::uint32_t steps() const { return bits_ & 0x7FFFFFFFu >> (bits_ >> 31) * 2; }  // no branch: it varies
+  std::uint32_t bits() const { return bits_; }
 
  private:
   static constexpr std::uint32_t leaf_bit = 0x80000000u;
-  explicit WideReference(std::uint32_t bits) : bits_(bits) {}
+  static constexpr std::uint32_t node_steps = 7, block_steps = 5;
   std::uint32_t bits_;
 };
 
@@ -37,6 +45,8 @@ struct alignas(32) TriangleBlock {
   float corner[3][3][4];  ///< corner, axis, triangle; NaN where there is none
   std::uint32_t id[4];    ///< no_triangle where there is none
 };
+
+static_assert(sizeof(WideNode) == 7 * 32 && sizeof(TriangleBlock) == 5 * 32);
 
 /// No path from the root has more nodes.
 inline constexpr int wide_most_depth = 80;

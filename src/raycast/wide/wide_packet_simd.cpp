@@ -36,19 +36,19 @@ struct PacketLeaves {
 };
 
 /// The rest of the way, from the first leaf on.
-void visit_leaves(const WideTreeView& tree, const BoxPacket& box_packet, PacketLeaves& leaves,
+void visit_leaves(const Places& places, const BoxPacket& box_packet, PacketLeaves& leaves,
                   WideReference current, float upper, Stack& stack, WideCounts& counts) {
   for (bool is_left = true; is_left;) {
     ++counts.nodes;
     if (current.is_block()) {
-      upper = leaves.visit(tree.blocks[current.index()], upper, counts.tests);
+      upper = leaves.visit(places.block(current), upper, counts.tests);
     } else {
       counts.boxes += 8;
-      const WideNode& node = tree.nodes[current.index()];
+      const WideNode& node = places.node(current);
       HWY_ALIGN float entry[8];
       const std::uint32_t mask = entered(box_packet, node, upper, entry);
       if (mask != 0) {
-        current = nearest(tree, node, mask, entry, stack);
+        current = nearest(places, node, mask, entry, stack);
         continue;
       }
     }
@@ -57,16 +57,16 @@ void visit_leaves(const WideTreeView& tree, const BoxPacket& box_packet, PacketL
 }
 
 /// Through inner nodes only. @return false: there is no leaf to visit
-HWY_INLINE bool find_leaf(const WideTreeView& tree, const BoxPacket& box_packet, float upper, Stack& stack,
+HWY_INLINE bool find_leaf(const Places& places, const BoxPacket& box_packet, float upper, Stack& stack,
                           WideReference& current, WideCounts& counts) {
   while (!current.is_block()) {
     ++counts.nodes;
     counts.boxes += 8;
-    const WideNode& node = tree.nodes[current.index()];
+    const WideNode& node = places.node(current);
     HWY_ALIGN float entry[8];
     const std::uint32_t mask = entered(box_packet, node, upper, entry);
     if (mask != 0) {
-      current = nearest(tree, node, mask, entry, stack);
+      current = nearest(places, node, mask, entry, stack);
     } else if (!take_next(stack, upper, current)) {
       return false;
     }
@@ -82,14 +82,15 @@ PacketOutcome traverse_packet(const WideTreeView& tree, const PacketQuery& query
   if (!frustum.is_usable) return PacketOutcome::refused;
   const BoxPacket box_packet(frustum);
   Stack stack;
+  const Places places(tree);
   WideReference current = tree.root;
   WideCounts seen;
-  const bool has_leaf = find_leaf(tree, box_packet, frustum.upper, stack, current, seen);
+  const bool has_leaf = find_leaf(places, box_packet, frustum.upper, stack, current, seen);
   if (has_leaf) {
     PacketLines lines;
     if (!lines.set(query)) return PacketOutcome::refused;
     PacketLeaves leaves{PacketBeam(query, frustum, lines), FirstHits(query, lines, hits)};
-    visit_leaves(tree, box_packet, leaves, current, frustum.upper, stack, seen);
+    visit_leaves(places, box_packet, leaves, current, frustum.upper, stack, seen);
   }
   counts.nodes += seen.nodes;
   counts.boxes += seen.boxes;

@@ -18,6 +18,7 @@ void traverse_wide(const WideTreeView& tree, const WideRay& ray, const WideMeeti
                    WideCounts& counts) {
   const BoxRay box_ray(ray);
   const TriangleRay triangle_ray(ray);
+  const Places places(tree);
   WideReference current = tree.root;
   std::uint64_t inner = 0, leaves = 0, tests = 0;
   float upper = ray.upper;
@@ -25,17 +26,17 @@ void traverse_wide(const WideTreeView& tree, const WideRay& ray, const WideMeeti
   for (bool is_left = true; is_left;) {
     if (!current.is_block()) {
       ++inner;
-      const WideNode& node = tree.nodes[current.index()];
+      const WideNode& node = places.node(current);
       HWY_ALIGN float entry[8];
       const std::uint32_t mask = entered(box_ray, node, upper, entry);
       if (mask != 0) {
-        current = nearest(tree, node, mask, entry, stack);
+        current = nearest(places, node, mask, entry, stack);
         continue;
       }
     } else {
       ++leaves;
       tests += current.triangles();
-      const TriangleBlock& block = tree.blocks[current.index()];
+      const TriangleBlock& block = places.block(current);
       const std::uint32_t lanes = perhaps_met(block, triangle_ray);
       if (lanes != 0) upper = meeting.meet(meeting.context, block, lanes);
     }
