@@ -5,6 +5,7 @@
 #include <velum/pipeline/agree_analytic.hpp>
 
 #include "json_values.hpp"
+#include "round_shapes.hpp"
 #include "text.hpp"
 #include "verb.hpp"
 
@@ -12,31 +13,6 @@ namespace velum_app {
 namespace {
 
 using namespace velum;
-
-/// A built-in shape, as fine as its default times a factor, and what it stands for.
-struct Round {
-  const char* name;
-  Mesh (*mesh)(int factor);
-  AnalyticBody body;
-};
-
-const std::array<Round, 3>& round_shapes() {
-  static const std::array<Round, 3> shapes{{
-      {"builtin:sphere", [](int k) { return shapes::sphere(1.0f, 48 * k, 24 * k); }, Sphere{}},
-      {"builtin:icosphere", [](int k) { return shapes::icosphere(1.0f, k == 4 ? 5 : 2 + k); }, Sphere{}},
-      {"builtin:cylinder", [](int k) { return shapes::cylinder(0.5f, 1.0f, 48 * k); },
-       Cylinder{{0.0, -0.5, 0.0}, {0.0, 0.5, 0.0}, 0.5}},
-  }};
-  return shapes;
-}
-
-const Round& round_shape(const std::string& input) {
-  for (const Round& shape : round_shapes()) {
-    if (input == shape.name) return shape;
-  }
-  throw Error(ErrorKind::usage, "no equation is known for it", input,
-              "--analytic takes builtin:sphere, builtin:icosphere or builtin:cylinder");
-}
 
 Json json_of(const AnalyticAgreement& agreement, std::size_t triangles) {
   return {{"triangles", triangles},
@@ -58,7 +34,7 @@ void print_line(const AnalyticAgreement& agreement, std::size_t triangles) {
 
 int agree_with_equation(const std::string& input, const View& view, const RenderSettings& settings,
                         bool json) {
-  const Round& shape = round_shape(input);
+  const RoundShape& shape = round_shape(input);
   Json rows = Json::array();
   bool is_explained = true;
   if (!json) std::cout << input << " against its equation, by object id:\n";

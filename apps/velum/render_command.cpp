@@ -1,4 +1,5 @@
 // velum render IN: a mesh file becomes a picture.
+#include <array>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "line_options.hpp"
 #include "outputs.hpp"
 #include "report.hpp"
+#include "round_shapes.hpp"
 #include "terminal_progress.hpp"
 #include "text.hpp"
 #include "verb.hpp"
@@ -185,7 +187,8 @@ void write_all(const RenderOptions& o, const std::vector<Output>& outputs, const
 
 /// "bunny.png: 800x600, perspective, 69,451 triangles, 23 % covered"; on standard error where the picture
 /// itself goes to standard output.
-void print_summary(const std::vector<Output>& outputs, const Picture& picture, const Projection& projection) {
+void print_summary(const std::vector<Output>& outputs, const Picture& picture, const Projection& projection,
+                   bool is_analytic) {
   const Counters& c = picture.counters;
   bool stdout_is_taken = false;
   for (const Output& output : outputs) stdout_is_taken = stdout_is_taken || output.path == "-";
@@ -193,8 +196,9 @@ void print_summary(const std::vector<Output>& outputs, const Picture& picture, c
   (stdout_is_taken ? std::cerr : std::cout)
       << (path == "-" ? "standard output" : path.string()) << ": " << picture.colour.width() << 'x'
       << picture.colour.height() << ", " << projection.name << ", "
-      << primitives_text(c.triangles + c.hierarchy.triangles_left_out, c.segments, c.points) << ", "
-      << percent_text(picture.coverage()) << " covered\n";
+      << (is_analytic ? "by its equation"
+                      : primitives_text(c.triangles + c.hierarchy.triangles_left_out, c.segments, c.points))
+      << ", " << percent_text(picture.coverage()) << " covered\n";
 }
 
 /// What happened to the triangles; what the hierarchical method left out is looked at after all.
@@ -204,25 +208,31 @@ Counters fates(const Scene& scene, const Camera& camera, RenderSettings settings
   return render(scene, camera, settings).counters;
 }
 
+Picture picture_of(const RenderOptions& o, const Scene& scene, const Camera& camera,
+                   const RenderSettings& settings) {
+  const ProgressLine line(settings.progress);
+  if (!o.visibility.is_analytic) return render(scene, camera, settings);
+  return render_analytic(scene, std::array{round_shape(o.input).body}, camera, settings);
+}
+
 int run(const RenderOptions& o) {
   // Everything that the command line alone decides is checked before work begins.
   const View view = view_from(o.camera);
-  const RenderSettings settings = settings_from(o, view.size);
+  RenderSettings settings = settings_from(o, view.size);
   const std::vector<Output> outputs = outputs_from(o, settings);
+  if (o.visibility.is_analytic) round_shape(o.input);  // refuses what has no equation
 
   Scene scene = read_scene(o.input);
   scene.up = view.up_axis();
   const Aabb bounds = scene.bounds();
   const Camera camera = frame(scene.points(), view.projection, view.framing);
-  const Picture picture = [&] {
-    const ProgressLine line(settings.progress);
-    return render(scene, camera, settings);
-  }();
+  o.visibility.prepare_trees(scene, settings);
+  const Picture picture = picture_of(o, scene, camera, settings);
 
   write_all(o, outputs, picture, scene, camera, settings);
   if (!o.quiet) {
     for (const std::string& note : scene.notes) std::cerr << "velum: note: " << note << '\n';
-    print_summary(outputs, picture, view.projection);
+    print_summary(outputs, picture, view.projection, o.visibility.is_analytic);
   }
   if (picture.coverage() > 0.0) return exit_ok;
   std::cerr << "velum: the picture is blank: "

@@ -1,5 +1,6 @@
 #include "visibility_options.hpp"
 
+#include <filesystem>
 #include <map>
 
 namespace velum_app {
@@ -66,6 +67,14 @@ void VisibilityOptions::add_to(CLI::App& parser) {
       ->check(CLI::IsMember(&method_names));
   add_accelerator_option(parser, accelerator);
   parser
+      .add_option(
+          "--kd-file", kd_file,
+          "With --accelerator kdtree: read the trees from FILE; where there is none, build and write it")
+      ->type_name("FILE");
+  parser.add_flag(
+      "--analytic", is_analytic,
+      "With raycast: see builtin:sphere, icosphere or cylinder by its equation, not its triangles");
+  parser
       .add_option("--hierarchical", hierarchy,
                   "With hierarchical: what the z-pyramid is asked about: octree, polygons, or both (default)")
       ->check(CLI::IsMember(&hierarchy_names));
@@ -86,8 +95,32 @@ void VisibilityOptions::add_to(CLI::App& parser) {
       ->check(CLI::IsMember(isa_names()));
 }
 
+void VisibilityOptions::check() const {
+  const bool casts_rays = method_names.at(method) == VisibilityMethod::raycast;
+  if (is_analytic && !casts_rays) {
+    throw Error(ErrorKind::usage, "only rays ask equations", "--analytic", "add --visibility raycast");
+  }
+  if (!kd_file) return;
+  const bool uses_trees = casts_rays && !is_analytic && accelerator == "kdtree";
+  if (!uses_trees || *kd_file == "-") {
+    throw Error(ErrorKind::usage, uses_trees ? "the trees need a file of their own" : "no kd-tree is used",
+                "--kd-file", "give a file name, and --visibility raycast --accelerator kdtree");
+  }
+}
+
+void VisibilityOptions::prepare_trees(const Scene& scene, RenderSettings& settings) const {
+  if (!kd_file) return;
+  if (std::filesystem::exists(*kd_file)) {
+    settings.caster = load_kd_trees(*kd_file, scene);
+    return;
+  }
+  settings.caster = std::make_shared<SceneCaster>(scene, AcceleratorKind::kd_tree, settings.isa);
+  save_kd_trees(*kd_file, *settings.caster);
+}
+
 void VisibilityOptions::apply_to(RenderSettings& settings) const {
   settings.visibility = method_names.at(method);
+  check();
   settings.accelerator = accelerator_map().at(accelerator);
   settings.hierarchy.use = hierarchy_names.at(hierarchy);
   settings.z_interpolation = z_interpolation_names.at(z_interpolation);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <velum/velum.hpp>
 
@@ -27,9 +28,18 @@ struct VisibilityOptions {
   std::string isa = "best";
   ClipOption clip;
   int threads = 0;
+  bool is_analytic = false;            ///< --analytic: bodies by their equations
+  std::optional<std::string> kd_file;  ///< --kd-file
 
   void add_to(CLI::App& parser);
+  /// @throws velum::Error (usage) for what does not go together
   void apply_to(velum::RenderSettings& settings) const;
+  /// Reads the scene's kd-trees from --kd-file, or builds and writes them where there is no such file.
+  /// @throws velum::Error (read) for a file that is damaged or of another scene, velum::Error (write)
+  void prepare_trees(const velum::Scene& scene, velum::RenderSettings& settings) const;
+
+ private:
+  void check() const;
 };
 
 }  // namespace velum_app

@@ -13,6 +13,7 @@
 #include "../raycast/intersection/ellipsoid_intersection.hpp"
 #include "check_request.hpp"
 #include "render.hpp"
+#include "render_analytic.hpp"
 
 namespace velum {
 namespace {
@@ -43,15 +44,10 @@ AnalyticBody shrunk(AnalyticBody body, double share) {
   return body;
 }
 
-/// A body with a place in the world, and the part that its mesh encloses.
-struct Placed {
-  AnalyticBody outer, inner;
-  glm::dmat4 object_from_world;
-};
-
-class AnalyticView {
+/// Finds out whether rays run between the bodies and what their meshes enclose.
+class Silhouettes {
  public:
-  AnalyticView(const Scene& scene, std::span<const AnalyticBody> bodies, const CameraRays& rays)
+  Silhouettes(const Scene& scene, std::span<const AnalyticBody> bodies, const CameraRays& rays)
       : rays_(rays) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const Instance& instance = scene.instances()[i];
@@ -63,40 +59,32 @@ class AnalyticView {
 
   double least_share() const { return least_share_; }
 
-  /// The instance that a ray meets first between near and far.
-  std::uint32_t object_at(double px, double py) const {
-    const ViewRay view = rays_.through(px, py);
-    double nearest = std::numeric_limits<double>::infinity();
-    std::uint32_t object = no_primitive;
-    for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-      const auto hit = first_hit(placed_[i].outer, placed_[i], view);
-      if (!hit || hit->t >= nearest) continue;
-      nearest = hit->t;
-      object = i;
-    }
-    return object;
-  }
-
-  /// Whether the ray, moved by as much as snapping does, runs between a body and what its mesh encloses.
-  bool is_at_silhouette(double px, double py) const {
+  /// Whether a ray, moved by as much as snapping does, runs between a body and what its mesh encloses.
+  bool has(double px, double py) const {
     constexpr double snap = 1.0 / 512.0;
     return std::any_of(placed_.begin(), placed_.end(), [&](const Placed& placed) {
       bool meets = false, misses = false;
       for (const glm::dvec2& by : {glm::dvec2(0.0), glm::dvec2(-snap), glm::dvec2(-snap, snap),
                                    glm::dvec2(snap, -snap), glm::dvec2(snap)}) {
         const ViewRay view = rays_.through(px + by.x, py + by.y);
-        meets = meets || first_hit(placed.outer, placed, view);
-        misses = misses || !first_hit(placed.inner, placed, view);
+        meets = meets || is_met(placed.outer, placed, view);
+        misses = misses || !is_met(placed.inner, placed, view);
       }
       return meets && misses;
     });
   }
 
  private:
-  static std::optional<SurfaceHit> first_hit(const AnalyticBody& body, const Placed& placed,
-                                             const ViewRay& view) {
+  /// A body with a place in the world, and the part that its mesh encloses.
+  struct Placed {
+    AnalyticBody outer, inner;
+    glm::dmat4 object_from_world;
+  };
+
+  static bool is_met(const AnalyticBody& body, const Placed& placed, const ViewRay& view) {
     const Ray ray = transformed(placed.object_from_world, view.ray);
-    return std::visit([&](const auto& b) { return intersect(ray, b).first_in(view.range); }, body);
+    return std::visit([&](const auto& b) { return intersect(ray, b).first_in(view.range).has_value(); },
+                      body);
   }
 
   const CameraRays& rays_;
@@ -126,24 +114,25 @@ double inner_share(const AnalyticBody& body, const Mesh& mesh) {
 
 AnalyticAgreement agree_analytic(const Scene& scene, std::span<const AnalyticBody> bodies,
                                  const Camera& camera, const RenderSettings& settings) {
-  VELUM_REQUIRE(bodies.size() == scene.instances().size(), {"bodies", bodies.size()},
-                {"instances", scene.instances().size()});
   const FloatingPointScope floating_point;
+  RenderSettings ids = settings;
+  ids.shading = Shading::object_id;
+  const Picture rays = render_analytic(scene, bodies, camera, ids);
+  const Picture raster = render(scene, camera, ids);
   const Rect rect = requested_rect(settings);
-  const CameraRays rays(requested_view(camera, settings).world_from_clip(),
-                        {settings.width, settings.height});
-  const AnalyticView view(scene, bodies, rays);
-  const Picture picture = render(scene, camera, settings);
+  const CameraRays camera_rays(requested_view(camera, settings).world_from_clip(),
+                               {settings.width, settings.height});
+  const Silhouettes silhouettes(scene, bodies, camera_rays);
   AnalyticAgreement result;
-  result.inner_share = view.least_share();
+  result.inner_share = silhouettes.least_share();
   for (int y = 0; y < rect.height; ++y) {
     for (int x = 0; x < rect.width; ++x) {
-      const double px = rect.left + x + 0.5, py = rect.top + y + 0.5;
-      const std::uint32_t raster = picture.object_id.at(x, y), ray = view.object_at(px, py);
+      const std::uint32_t by_raster = raster.object_id.at(x, y), by_ray = rays.object_id.at(x, y);
       ++result.pixels;
-      result.covered += raster != no_primitive || ray != no_primitive;
-      if (raster == ray) continue;
-      ++(view.is_at_silhouette(px, py) ? result.silhouette : result.unexplained);
+      result.covered += by_raster != no_primitive || by_ray != no_primitive;
+      if (by_raster == by_ray) continue;
+      const bool is_explained = silhouettes.has(rect.left + x + 0.5, rect.top + y + 0.5);
+      ++(is_explained ? result.silhouette : result.unexplained);
     }
   }
   return result;

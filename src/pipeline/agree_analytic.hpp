@@ -1,19 +1,12 @@
 #pragma once
 
 #include <span>
-#include <variant>
 
 #include "../projection/camera.hpp"
-#include "../raycast/intersection/cylinder_intersection.hpp"
-#include "../raycast/intersection/sphere_intersection.hpp"
-#include "../scene/scene.hpp"
+#include "analytic_view.hpp"
 #include "settings.hpp"
 
 namespace velum {
-
-/// A body given by its equation, in the object space of an instance whose mesh has its vertices on it. A
-/// model matrix makes ellipsoids of spheres.
-using AnalyticBody = std::variant<Sphere, Cylinder>;
 
 /// The largest share of a body (shrunk about its centre; a cylinder about its axis) that the triangles of a
 /// mesh enclose: the mesh lies between that and the body. 1 - cos(π/n) below 1 for a cylinder of n sides, so
@@ -21,7 +14,7 @@ using AnalyticBody = std::variant<Sphere, Cylinder>;
 /// @pre the mesh is closed around the centre; no vertex lies outside the body, and some on it
 double inner_share(const AnalyticBody& body, const Mesh& mesh);
 
-/// Which object is seen where: triangles by the raster against equations by rays.
+/// Which object is seen where: triangles by the raster against equations by rays, see render_analytic().
 struct AnalyticAgreement {
   std::uint64_t pixels = 0;
   std::uint64_t covered = 0;      ///< pixels where at least one of them sees something

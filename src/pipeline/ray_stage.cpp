@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "../base/error.hpp"
 #include "../projection/facing.hpp"
 #include "../visibility/depth_plane.hpp"
 #include "stages.hpp"
@@ -91,6 +92,23 @@ void cast_block(const RayView& view, const RayStageInput& input, const Rect& blo
   }
 }
 
+/// The caller's, the last frame's, or a new one.
+const SceneCaster& caster_for(const RayStageInput& input, RayStageBuffers& buffers) {
+  const RenderSettings& settings = input.settings;
+  if (settings.caster != nullptr) {
+    if (settings.caster->is_of(input.scene)) return *settings.caster;
+    throw Error(ErrorKind::usage, "was built for another scene, or before this one was changed",
+                "RenderSettings::caster", "build a SceneCaster for this scene");
+  }
+  const SceneCaster* kept = buffers.caster.get();
+  const bool is_kept = kept != nullptr && kept->kind() == settings.accelerator &&
+                       kept->isa() == settings.isa && kept->is_of(input.scene);
+  if (!is_kept) {
+    buffers.caster = std::make_unique<SceneCaster>(input.scene, settings.accelerator, settings.isa);
+  }
+  return *buffers.caster;
+}
+
 void add(const CastCounters& cast, Counters& counters) {
   counters.rays += cast.rays;
   counters.ray_nodes += cast.nodes;
@@ -147,13 +165,7 @@ void RayView::first_hits(std::span<const ViewRay> rays, std::span<SceneHit> hits
 
 void cast_visibility(const RayStageInput& input, const std::function<void(double)>& progress,
                      RayStageBuffers& buffers, VisibilityBuffer& buffer, Counters& counters) {
-  const AcceleratorKind kind = input.settings.accelerator;
-  const Isa isa = input.settings.isa;
-  const SceneCaster* kept = buffers.caster.get();
-  if (kept == nullptr || kept->kind() != kind || kept->isa() != isa || !kept->is_of(input.scene)) {
-    buffers.caster = std::make_unique<SceneCaster>(input.scene, kind, isa);
-  }
-  const RayView view(input.scene, *buffers.caster, input.viewing, input.settings);
+  const RayView view(input.scene, caster_for(input, buffers), input.viewing, input.settings);
   for (const Instance& instance : input.scene.instances()) {
     ++counters.instances;
     counters.triangles += input.scene.meshes()[instance.mesh].triangles.size();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "../base/executor.hpp"
@@ -20,6 +21,8 @@
 #include "hierarchy_settings.hpp"
 
 namespace velum {
+
+class SceneCaster;
 
 /// How the question "which surface is seen?" is answered. The raster methods' answers are the same to the
 /// bit; raycast asks the geometry itself and may differ at pixels that agree() explains.
@@ -46,7 +49,10 @@ struct RenderSettings {
   Rgba8 background{0, 0, 0, 0};  ///< sRGB; default transparent
   VisibilityMethod visibility = VisibilityMethod::zbuffer;
   AcceleratorKind accelerator = AcceleratorKind::bvh;  ///< of raycast; the bytes are the same
-  HierarchySettings hierarchy{};                       ///< of VisibilityMethod::hierarchical
+  /// Of raycast: what is built already for the scene as it is, or read by load_kd_trees(). Replaces
+  /// `accelerator`; any number of renderers may share it.
+  std::shared_ptr<const SceneCaster> caster{};
+  HierarchySettings hierarchy{};  ///< of VisibilityMethod::hierarchical
   /// For teaching; other than plane only with VisibilityMethod::scanline, and then the bits differ.
   ZInterpolation z_interpolation = ZInterpolation::plane;
   DepthFormat depth_format = DepthFormat::reversed;  ///< for teaching: other formats see less

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "../base/contract.hpp"
 #include "bvh/bvh_build.hpp"
 
 namespace velum {
@@ -62,6 +63,22 @@ SceneCaster::SceneCaster(const Scene& scene, AcceleratorKind kind, Isa isa)
     MeshEntry entry{mesh.positions, mesh.triangles, {}};
     entry.structure = build_accelerator(kind, {entry.positions.span(), entry.triangles.span()}, isa);
     meshes_.push_back(std::move(entry));
+  }
+  add_instances(scene);
+}
+
+SceneCaster::SceneCaster(const Scene& scene, AcceleratorKind kind,
+                         std::vector<std::unique_ptr<Accelerator>> structures, Isa isa)
+    : kind_(kind), isa_(isa), revision_(scene.revision()) {
+  VELUM_REQUIRE(structures.size() == scene.meshes().size(), {"structures", structures.size()},
+                {"meshes", scene.meshes().size()});
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    const Mesh& mesh = scene.meshes()[i];
+    const TriangleSet& set = structures[i]->triangles();
+    VELUM_REQUIRE(
+        set.positions.data() == mesh.positions.data() && set.triangles.data() == mesh.triangles.data(),
+        {"mesh", i});
+    meshes_.push_back({mesh.positions, mesh.triangles, std::move(structures[i])});
   }
   add_instances(scene);
 }

@@ -41,6 +41,10 @@ class SceneCaster {
  public:
   /// @param isa  see build_accelerator()
   SceneCaster(const Scene& scene, AcceleratorKind kind, Isa isa = Isa::best);
+  /// Of structures made before. @param structures  of each mesh, all of the kind. @pre as many as meshes,
+  /// each over its mesh's own arrays
+  SceneCaster(const Scene& scene, AcceleratorKind kind, std::vector<std::unique_ptr<Accelerator>> structures,
+              Isa isa = Isa::best);
 
   /// @param range  the t that are wanted; both ends included
   SceneHit first_hit(const Ray& ray, const Interval& range, CastCounters& counters,
@@ -61,7 +65,8 @@ class SceneCaster {
   bool is_of(const Scene& scene) const;
   /// Bytes of all structures, without vertices and indices.
   std::size_t memory() const;
-  /// The structure over the triangles of a mesh. @pre mesh < scene.meshes().size()
+  std::uint32_t mesh_count() const { return static_cast<std::uint32_t>(meshes_.size()); }
+  /// The structure over the triangles of a mesh. @pre mesh < mesh_count()
   const Accelerator& structure(std::uint32_t mesh) const { return *meshes_[mesh].structure; }
   /// The hierarchy over the instances' boxes, world space.
   const BvhTree& top() const { return top_; }

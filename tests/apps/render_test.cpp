@@ -183,3 +183,35 @@ TEST_CASE("samples and filters that do not exist end with 2 and say what there i
   CHECK(contains(large.err, "32768"));
   CHECK(place.files().empty());
 }
+
+TEST_CASE("--kd-file writes a scene's kd-trees, reads them again, and refuses those of others") {
+  const Workplace place;
+  const std::string options =
+      " --visibility raycast --accelerator kdtree --size 64x48 --kd-file trees.kd -o ";
+  REQUIRE(place.velum("render builtin:torus" + options + "built.png").code == 0);
+  CHECK(place.has("trees.kd"));
+  REQUIRE(place.velum("render builtin:torus" + options + "read.png").code == 0);
+  CHECK(place.read("built.png") == place.read("read.png"));
+  const Outcome other = place.velum("render builtin:cone" + options + "other.png");
+  CHECK(other.code == 3);
+  CHECK(contains(other.err, "other triangles"));
+  CHECK_FALSE(place.has("other.png"));
+  CHECK(place.velum("render builtin:torus --kd-file trees.kd --visibility raycast").code == 2);
+  CHECK(place.velum("render builtin:torus --kd-file trees.kd --accelerator kdtree").code == 2);
+  const Outcome nowhere = place.velum(
+      "render builtin:torus --visibility raycast --accelerator kdtree --size 64x48 --kd-file no/where.kd");
+  CHECK(nowhere.code == 4);
+}
+
+TEST_CASE("render --analytic sees a round shape by its equation") {
+  const Workplace place;
+  const std::string sphere = "render builtin:sphere --size 64x48 --visibility raycast";
+  const Outcome outcome = place.velum(sphere + " --analytic -o body.png");
+  REQUIRE(outcome.code == 0);
+  CHECK(contains(outcome.out, "by its equation"));
+  REQUIRE(place.velum(sphere + " -o triangles.png").code == 0);
+  CHECK(place.read("body.png") != place.read("triangles.png"));
+  CHECK(place.velum("render builtin:sphere --analytic").code == 2);
+  CHECK(place.velum(sphere + " --analytic --samples 4").code == 2);
+  CHECK(place.velum("render builtin:cube --visibility raycast --analytic").code == 2);
+}

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
 #include <velum/velum.hpp>
 
 #include "base/contract.hpp"
@@ -84,4 +85,93 @@ TEST_CASE("objects before each other keep their ids") {
   const AnalyticAgreement a = agree_analytic(scene, bodies, camera, settings);
   CHECK(a.covered > 1000);
   CHECK(a.unexplained == 0);
+}
+
+namespace {
+
+/// A squashed and mirrored sphere, from nearby.
+struct Egg {
+  Scene scene;
+  RenderSettings settings;
+  Camera camera;
+
+  Egg() : camera(placed(scene)) {
+    settings.width = 120;
+    settings.height = 90;
+  }
+  Picture picture() const {
+    return render_analytic(scene, std::array<AnalyticBody, 1>{Sphere{}}, camera, settings);
+  }
+
+ private:
+  static Camera placed(Scene& scene) {
+    glm::dmat4 squashed(1.0);
+    squashed[0][0] = -2.0;
+    squashed[1][1] = 0.6;
+    squashed[1][0] = 0.3;
+    scene.add(shapes::sphere(1.0f, 512, 256), squashed);
+    return frame(scene.bounds(), parse_projection("perspective"), {.aspect = 120.0 / 90.0});
+  }
+};
+
+/// Over the pixels that both show, the largest distance of depths and of normals.
+std::pair<double, double> largest_differences(const Picture& a, const Picture& b) {
+  double depth = 0.0, normal = 0.0;
+  for (int y = 0; y < a.depth.height(); ++y) {
+    for (int x = 0; x < a.depth.width(); ++x) {
+      if (a.object_id.at(x, y) != 0 || b.object_id.at(x, y) != 0) continue;
+      const auto difference = a.metric_depth.at(x, y) - b.metric_depth.at(x, y);
+      const glm::vec3 turn = a.normal.at(x, y) - b.normal.at(x, y);
+      depth = std::max(depth, std::abs(static_cast<double>(difference)));
+      normal = std::max(normal, static_cast<double>(glm::length(turn)));
+    }
+  }
+  return {depth, normal};
+}
+
+}  // namespace
+
+TEST_CASE("a body rendered by its equation is what its triangles tend to") {
+  for (const Cull cull : {Cull::none, Cull::back, Cull::front}) {
+    Egg egg;
+    egg.settings.cull = cull;
+    const Picture body = egg.picture(), triangles = render(egg.scene, egg.camera, egg.settings);
+    CHECK(body.coverage() > 0.15);
+    CHECK(std::abs(body.coverage() - triangles.coverage()) < 0.002);
+    const auto [depth, normal] = largest_differences(body, triangles);
+    CHECK(depth < 0.03);  // near the outline the two lie apart along the ray
+    CHECK(normal < 0.1);
+    CHECK(compare(body.colour.view(), triangles.colour.view()).rmse < 4.0);
+  }
+}
+
+TEST_CASE("bodies: the same bytes with any number of threads, and in a crop") {
+  Egg egg;
+  egg.settings.threads = 1;
+  const Picture one = egg.picture();
+  egg.settings.threads = 3;
+  const Picture three = egg.picture();
+  CHECK(compare(three.colour.view(), one.colour.view()).same_bytes);
+  CHECK(compare(three.depth.view(), one.depth.view()).same_bytes);
+  egg.settings.crop = Rect{31, 17, 40, 50};
+  const Picture part = egg.picture();
+  for (int y = 0; y < 50; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      REQUIRE(part.colour.at(x, y) == one.colour.at(x + 31, y + 17));
+      REQUIRE(part.depth.at(x, y) == one.depth.at(x + 31, y + 17));
+    }
+  }
+}
+
+TEST_CASE("what needs triangles is refused for bodies") {
+  const auto refused = [](const auto& change) {
+    Egg egg;
+    change(egg.settings);
+    CHECK_THROWS_AS(egg.picture(), Error);
+  };
+  refused([](RenderSettings& s) { s.shading = Shading::flat; });
+  refused([](RenderSettings& s) { s.shading = Shading::barycentric; });
+  refused([](RenderSettings& s) { s.wireframe = true; });
+  refused([](RenderSettings& s) { s.samples = 4; });
+  refused([](RenderSettings& s) { s.supersample = 2; });
 }
