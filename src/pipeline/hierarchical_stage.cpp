@@ -16,13 +16,13 @@ namespace {
 constexpr std::uint64_t smallest_batch = 1 << 15;
 constexpr std::uint64_t largest_batch = 1 << 18;
 constexpr std::uint64_t batches_of_scene = 32;
-/// Triangles drawn in one go where what was seen before is remembered, so that the pyramid hardly changes
-/// after that: bounds the memory.
+/// Triangles drawn in one go at most: bounds the memory.
 constexpr std::uint64_t remembered_batch = 1 << 20;
+/// The pyramid is brought up to date when so much of what was remembered is drawn anew.
+constexpr std::uint64_t remembered_per_batch = 2;
 
-std::uint64_t batch_size_for(const Scene& scene, const RenderSettings& settings, bool remembers) {
+std::uint64_t batch_size_for(const Scene& scene, const RenderSettings& settings) {
   if (settings.hierarchy.batch_size != 0) return settings.hierarchy.batch_size;
-  if (remembers) return remembered_batch;
   return std::clamp<std::uint64_t>(scene.primitive_count() / batches_of_scene, smallest_batch, largest_batch);
 }
 
@@ -72,7 +72,7 @@ class HierarchicalStage {
         drawer_(drawer),
         counters_(counters),
         records_(records),
-        batch_size_(batch_size_for(input.scene, input.settings, buffers.remembers)) {}
+        batch_size_(batch_size_for(input.scene, input.settings)) {}
 
   void draw() {
     buffers_.batch.clear();
@@ -82,7 +82,7 @@ class HierarchicalStage {
     draw_placeless();
     walk_scene();
     // Few triangles hide little that was not hidden before.
-    if (!buffers_.remembers || buffers_.batch.triangles >= smallest_batch) flush();
+    if (!buffers_.remembers || unpublished_ + buffers_.batch.triangles >= smallest_batch) flush();
     draw_postponed();
     flush(true);
   }
@@ -111,20 +111,30 @@ class HierarchicalStage {
     });
     drawer_.draw(buffers_.batch);
     drawn_ += buffers_.batch.triangles;
+    unpublished_ += buffers_.batch.triangles;
     buffers_.batch.clear();
     input_.progress(std::min(1.0, static_cast<double>(drawn_) / input_.scene.primitive_count()));
   }
 
   void flush(bool is_last = false) {
-    if (buffers_.batch.entries.empty() && !is_behind_) return;
+    if (buffers_.batch.entries.empty() && unpublished_ == 0) return;
     draw_batch();
     drawer_.publish(is_last);
-    is_behind_ = false;
+    unpublished_ = 0;
   }
 
+  /// Draws what waits if it is much, and brings the pyramid up to date if that is much beside what was
+  /// remembered: after that it hardly changes.
   void flush_if_full(PlacedOctree& placed) {
-    if (buffers_.batch.triangles < batch_size_) return;
-    flush();
+    const std::uint64_t waiting = buffers_.batch.triangles;
+    if (waiting < batch_size_) return;
+    if (unpublished_ + waiting >= remembered_ / remembered_per_batch) {
+      flush();
+    } else if (waiting >= std::min(remembered_batch, remembered_)) {
+      draw_batch();
+    } else {
+      return;
+    }
     placed.in_batch = PlacedOctree::none;
   }
 
@@ -285,8 +295,8 @@ class HierarchicalStage {
         buffers_.batch.comes_first = true;
       }
     }
-    is_behind_ = true;
     flush();
+    if (settings_.batch_size == 0) remembered_ = drawn_;
   }
 
   bool draw_again(PlacedOctree& placed, std::uint32_t cluster) {
@@ -337,7 +347,8 @@ class HierarchicalStage {
   std::vector<NodeRecord>* records_;
   const std::uint64_t batch_size_;
   std::uint64_t drawn_ = 0;
-  bool is_behind_ = false;  ///< the pyramid lags behind what is drawn
+  std::uint64_t unpublished_ = 0;  ///< of them those that the pyramid does not know
+  std::uint64_t remembered_ = 0;   ///< those that were drawn first
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace velum {
 namespace {
 
 /// Triangles per group: enough to amortise the sorting, few enough to stay in cache.
-constexpr std::size_t group_size = 8192;
+constexpr std::size_t group_size = 32768;
 /// Level of the pyramid where a tile is one value.
 constexpr int tile_level = 6;
 static_assert(tile_size == 1 << tile_level);

@@ -40,20 +40,43 @@ HWY_INLINE hn::Vec<NarrowInts> snapped(Double pixel) {
   return hn::DemoteTo(narrow_ints, hn::Floor(scaled));
 }
 
-HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double codes, PlacedVertex* out) {
+/// A vertex on the picture, pixels.
+struct Place {
+  Double x, y;
+};
+HWY_INLINE Place place_of(const TransformWork& work, const ClipVector& v) {
   const Double one = hn::Set(doubles, 1.0);
   const Double half_width = hn::Set(doubles, 0.5 * work.width);
   const Double half_height = hn::Set(doubles, 0.5 * work.height);
-  const Double x = hn::Mul(half_width, hn::Add(hn::Div(v.x, v.w), one));
-  const Double y = hn::Mul(half_height, hn::Sub(one, hn::Div(v.y, v.w)));
+  return {hn::Mul(half_width, hn::Add(hn::Div(v.x, v.w), one)),
+          hn::Mul(half_height, hn::Sub(one, hn::Div(v.y, v.w)))};
+}
+
+/// Whether all outcodes are 0 and all w positive.
+HWY_INLINE bool are_all_inside(const ClipVector& v) {
+  const Double zero = hn::Zero(doubles);
+  const auto depth = hn::And(hn::Ge(hn::Sub(v.z, hn::Mul(zero, v.w)), zero), hn::Ge(hn::Sub(v.w, v.z), zero));
+  const auto columns = hn::And(hn::Ge(hn::Add(v.x, v.w), zero), hn::Ge(hn::Sub(v.w, v.x), zero));
+  const auto rows = hn::And(hn::Ge(hn::Add(v.y, v.w), zero), hn::Ge(hn::Sub(v.w, v.y), zero));
+  const auto inside = hn::And(hn::And(depth, columns), hn::And(rows, hn::Gt(v.w, zero)));
+  return hn::AllTrue(doubles, inside);
+}
+
+HWY_INLINE void place_inside(const TransformWork& work, const ClipVector& v, PlacedVertex* out) {
+  const Place at = place_of(work, v);
+  hn::StoreInterleaved2(snapped(at.x), snapped(at.y), narrow_ints, reinterpret_cast<std::int32_t*>(out));
+}
+
+HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double codes, PlacedVertex* out) {
+  const Place at = place_of(work, v);
   const auto inside = hn::And(hn::Eq(codes, hn::Zero(doubles)), hn::Gt(v.w, hn::Zero(doubles)));
-  const Double x_or_none = hn::IfThenElseZero(inside, x);
-  const Double y_or_none = hn::IfThenElseZero(inside, y);
+  const Double x_or_none = hn::IfThenElseZero(inside, at.x);
+  const Double y_or_none = hn::IfThenElseZero(inside, at.y);
   const Double sum = hn::Add(hn::Add(v.x, v.y), hn::Add(v.z, v.w));
   const Double code = hn::IfThenElseZero(hn::Eq(hn::Sub(sum, sum), hn::Zero(doubles)), codes);
   const auto nowhere = hn::Set(narrow_ints, not_snapped);
-  const auto is_inside =
-      hn::Eq(hn::DemoteTo(narrow_ints, hn::IfThenElseZero(inside, one)), hn::Set(narrow_ints, 1));
+  const auto is_inside = hn::Eq(hn::DemoteTo(narrow_ints, hn::IfThenElseZero(inside, hn::Set(doubles, 1.0))),
+                                hn::Set(narrow_ints, 1));
   hn::StoreInterleaved2(hn::IfThenElse(is_inside, snapped(x_or_none), nowhere),
                         hn::IfThenElse(is_inside, snapped(y_or_none), hn::DemoteTo(narrow_ints, code)),
                         narrow_ints, reinterpret_cast<std::int32_t*>(out));
@@ -64,6 +87,7 @@ HWY_INLINE void transform_lanes(const TransformWork& work, const float* position
   hn::Vec<NarrowFloats> px, py, pz;
   hn::LoadInterleaved3(narrow_floats, positions, px, py, pz);
   const ClipVector v = clip_position(work.clip_from_object, px, py, pz);
+  if (clip == nullptr && outcodes == nullptr && are_all_inside(v)) return place_inside(work, v, placed);
   if (clip != nullptr) hn::StoreInterleaved4(v.x, v.y, v.z, v.w, doubles, clip);
   const Double codes = outcodes_of(v);
   if (outcodes != nullptr) {
