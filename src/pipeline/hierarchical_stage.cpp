@@ -6,7 +6,6 @@
 
 #include "../visibility/cone_culling.hpp"
 #include "../visibility/depth_format.hpp"
-#include "visible_clusters.hpp"
 
 namespace velum {
 namespace {
@@ -58,8 +57,8 @@ class HierarchicalStage {
   /// The nodes of one octree.
   struct Nodes {
     const std::vector<OctreeNode>& all;
-    const MeshOctree* mesh = nullptr;         ///< whose they are; none: of the scene
-    const std::uint8_t* are_drawn = nullptr;  ///< per cluster, where some are drawn already
+    const MeshOctree* mesh = nullptr;      ///< whose they are; none: of the scene
+    const ClusterState* states = nullptr;  ///< per cluster, where some are drawn already
   };
 
  public:
@@ -151,7 +150,8 @@ class HierarchicalStage {
     // A leaf of a mesh has a box that lies along its surface.
     const OctreeNode& node = nodes.all[index];
     const bool has_tight_box = nodes.mesh != nullptr && node.child_count == 0;
-    const Node seen{index, has_tight_box ? projection(nodes.mesh->tight_box(index)) : projection(node.box)};
+    const Node seen{index, false,
+                    has_tight_box ? projection(nodes.mesh->tight_box(index)) : projection(node.box)};
     const bool is_outside = seen.bounds.is_outside || intersect(seen.bounds.pixels, input_.rect).is_empty();
     if (!is_outside || !settings_.culls_frustum) return seen;
     ++counters_.hierarchy.nodes_outside;
@@ -160,7 +160,7 @@ class HierarchicalStage {
   }
 
   bool is_hidden(const Node& node, std::uint32_t instance) {
-    if (!settings_.culls_pyramid || node.bounds.is_outside) return false;
+    if (!settings_.culls_pyramid || node.is_above_seen || node.bounds.is_outside) return false;
     Rect pixels = node.bounds.pixels;
     pixels.left -= input_.rect.left;
     pixels.top -= input_.rect.top;
@@ -191,8 +191,12 @@ class HierarchicalStage {
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < parent.child_count; ++i) {
       const std::uint32_t index = parent.first_child + i;
-      const bool is_leaf = nodes.all[index].child_count == 0;
-      if (is_leaf && nodes.are_drawn != nullptr && nodes.are_drawn[index] != 0) continue;
+      const ClusterState state = nodes.states == nullptr ? ClusterState::unseen : nodes.states[index];
+      if (state == ClusterState::seen && nodes.all[index].child_count == 0) continue;
+      if (state == ClusterState::above_seen) {
+        children[count++] = {index, true, {}};
+        continue;
+      }
       if (const auto child = look_at(projection, nodes, index, instance)) children[count++] = *child;
     }
     // By insertion: they are few, and equal ones keep their order.
@@ -227,9 +231,9 @@ class HierarchicalStage {
   void walk_mesh(std::uint32_t instance) {
     PlacedOctree placed(input_, octrees_, instance);
     ++counters_.instances;
-    const std::uint8_t* const are_drawn =
-        buffers_.remembers ? &buffers_.is_visible[octrees_.first_cluster(instance)] : nullptr;
-    const Nodes nodes{placed.octree.nodes(), &placed.octree, are_drawn};
+    const ClusterState* const states =
+        buffers_.remembers ? &buffers_.states[octrees_.first_cluster(instance)] : nullptr;
+    const Nodes nodes{placed.octree.nodes(), &placed.octree, states};
     std::vector<Node>& stack = buffers_.mesh_stack;
     stack.clear();
     if (const auto root = look_at(placed.projection, nodes, 0, instance)) stack.push_back(*root);
@@ -257,7 +261,8 @@ class HierarchicalStage {
   }
 
   bool is_drawn(const PlacedOctree& placed, std::uint32_t cluster) const {
-    return buffers_.remembers && buffers_.is_visible[octrees_.first_cluster(placed.instance) + cluster] != 0;
+    return buffers_.remembers &&
+           buffers_.states[octrees_.first_cluster(placed.instance) + cluster] == ClusterState::seen;
   }
 
   void draw_postponed() {
@@ -277,18 +282,18 @@ class HierarchicalStage {
     if (!buffers_.remembers) return;
     buffers_.batch.comes_first = true;
     for (std::uint32_t i = 0; i < input_.scene.instances().size(); ++i) {
-      const auto first = buffers_.is_visible.begin() + static_cast<std::ptrdiff_t>(octrees_.first_cluster(i));
-      const auto end =
-          buffers_.is_visible.begin() + static_cast<std::ptrdiff_t>(octrees_.first_cluster(i + 1));
-      auto next = std::find(first, end, 1);
+      const auto first = buffers_.states.begin() + static_cast<std::ptrdiff_t>(octrees_.first_cluster(i));
+      const auto end = buffers_.states.begin() + static_cast<std::ptrdiff_t>(octrees_.first_cluster(i + 1));
+      auto next = std::find(first, end, ClusterState::seen);
       if (next == end) continue;
       PlacedOctree placed(input_, octrees_, i);
       if (!look_at(placed.projection, {placed.octree.nodes(), &placed.octree}, 0, i)) {
-        std::fill(next, end, std::uint8_t{0});
+        std::fill(first, end, ClusterState::unseen);
         continue;
       }
-      for (; next != end; next = std::find(next + 1, end, 1)) {
-        *next = draw_again(placed, static_cast<std::uint32_t>(next - first)) ? 1 : 0;
+      for (; next != end; next = std::find(next + 1, end, ClusterState::seen)) {
+        const bool is_drawn = draw_again(placed, static_cast<std::uint32_t>(next - first));
+        *next = is_drawn ? ClusterState::seen : ClusterState::unseen;
         if (buffers_.batch.triangles < remembered_batch) continue;
         draw_batch();
         placed.in_batch = PlacedOctree::none;
@@ -376,7 +381,7 @@ void draw_hierarchically(const TileStageInput& input, bool uses_tiles, Hierarchi
   counters.hierarchy.octree_bytes = buffers.octrees.bytes();
   counters.hierarchy.triangles_left_out += triangles - (counters.triangles - before);
   buffers.remembers = settings.remembers_visible && settings.use != HierarchyUse::polygons;
-  if (buffers.remembers) mark_visible_clusters(input.scene, buffers.octrees, buffer, buffers.is_visible);
+  if (buffers.remembers) mark_visible_clusters(input.scene, buffers.octrees, buffer, buffers.states);
 }
 
 }  // namespace velum

@@ -7,6 +7,7 @@
 #include "cluster_drawer.hpp"
 #include "scene_octrees.hpp"
 #include "tile_stage.hpp"
+#include "visible_clusters.hpp"
 
 namespace velum {
 
@@ -26,6 +27,7 @@ struct HierarchicalBuffers {
   /// An octree node that waits, with its bounds on the picture.
   struct Node {
     std::uint32_t index = 0;
+    bool is_above_seen = false;  ///< something below it was seen in the frame before: there are no bounds
     BoxOnPicture bounds;
   };
   /// A cluster that is looked at once more when everything else is drawn.
@@ -40,10 +42,10 @@ struct HierarchicalBuffers {
   std::vector<Node> scene_stack;
   std::vector<Node> mesh_stack;
   std::vector<Postponed> postponed;
-  /// Per cluster of the scene whether it was seen in the frame before; while a frame is drawn, whether it is
-  /// drawn already.
-  std::vector<std::uint8_t> is_visible;
-  bool remembers = false;  ///< whether is_visible is about a whole frame
+  /// Per cluster of the scene what the frame before showed of it; while a frame is drawn, those that were
+  /// seen are drawn already.
+  std::vector<ClusterState> states;
+  bool remembers = false;  ///< whether the states are about a whole frame
 };
 
 /// The hierarchical z-buffer (Greene, Kass & Miller 1993, "Hierarchical Z-Buffer Visibility"), the one loop

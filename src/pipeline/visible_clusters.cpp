@@ -18,14 +18,22 @@ int same_as(std::uint32_t id, const std::uint32_t* ids, int count) {
 /// Finds clusters by their triangles' ids; neighbours often share their instance.
 class ClusterMarks {
  public:
-  ClusterMarks(const Scene& scene, const SceneOctrees& octrees, std::vector<std::uint8_t>& is_visible)
-      : scene_(scene), octrees_(octrees), is_visible_(is_visible) {}
+  ClusterMarks(const Scene& scene, const SceneOctrees& octrees, std::vector<ClusterState>& states)
+      : scene_(scene), octrees_(octrees), states_(states) {}
 
   void mark(std::uint32_t primitive) {
     if (primitive < begin_ || primitive >= end_) find_instance(primitive);
     if (primitive >= end_) return;  // a segment or point
     const MeshOctree& octree = octrees_.mesh(scene_.instances()[instance_].mesh);
-    is_visible_[octrees_.first_cluster(instance_) + octree.cluster_of_triangle()[primitive - begin_]] = 1;
+    ClusterState* const states = &states_[octrees_.first_cluster(instance_)];
+    std::uint32_t cluster = octree.cluster_of_triangle()[primitive - begin_];
+    if (states[cluster] == ClusterState::seen) return;
+    states[cluster] = ClusterState::seen;
+    for (cluster = octree.parent(cluster); cluster != MeshOctree::no_parent;
+         cluster = octree.parent(cluster)) {
+      if (states[cluster] != ClusterState::unseen) return;
+      states[cluster] = ClusterState::above_seen;
+    }
   }
 
  private:
@@ -38,16 +46,16 @@ class ClusterMarks {
 
   const Scene& scene_;
   const SceneOctrees& octrees_;
-  std::vector<std::uint8_t>& is_visible_;
+  std::vector<ClusterState>& states_;
   std::uint32_t instance_ = 0, begin_ = 0, end_ = 0;  // whose triangles' ids are begin_ … end_-1
 };
 
 }  // namespace
 
 void mark_visible_clusters(const Scene& scene, const SceneOctrees& octrees, const VisibilityBuffer& buffer,
-                           std::vector<std::uint8_t>& is_visible) {
-  is_visible.assign(octrees.cluster_count(), 0);
-  ClusterMarks marks(scene, octrees, is_visible);
+                           std::vector<ClusterState>& states) {
+  states.assign(octrees.cluster_count(), ClusterState::unseen);
+  ClusterMarks marks(scene, octrees, states);
   std::uint32_t last = no_primitive;
   for (int y = 0; y < buffer.height(); ++y) {
     const std::uint32_t* const row = buffer.primitive.row(y);

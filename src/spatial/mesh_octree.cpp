@@ -93,6 +93,11 @@ MeshOctree::MeshOctree(const Mesh& mesh, const MeshOctreeOptions& options) {
     corners.shrink_to_fit();
   }
   positions_.shrink_to_fit();
+  parents_.assign(cluster_count(), no_parent);
+  for (std::uint32_t i = 0; i < nodes().size(); ++i) {
+    const OctreeNode& node = nodes()[i];
+    for (std::uint32_t k = 0; k < node.child_count; ++k) parents_[node.first_child + k] = i;
+  }
 }
 
 MeshCluster MeshOctree::clusters(std::size_t first, std::size_t end) const {
@@ -109,7 +114,7 @@ MeshCluster MeshOctree::clusters(std::size_t first, std::size_t end) const {
 
 std::size_t MeshOctree::bytes() const {
   return octree_.bytes() + bytes_of(spans_) + bytes_of(cones_) + bytes_of(tight_boxes_) +
-         bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_) +
+         bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_) + bytes_of(parents_) +
          bytes_of(corners_[0]) + bytes_of(corners_[1]) + bytes_of(corners_[2]);
 }
 

@@ -58,6 +58,9 @@ class MeshOctree {
   const OrientedBox& tight_box(std::size_t cluster) const { return tight_boxes_[cluster]; }
   /// Triangles in a node's whole subtree.
   std::uint32_t triangles_below(std::size_t node) const { return nodes()[node].end - nodes()[node].first; }
+  /// The node above; no_parent for the root, and for the last cluster.
+  static constexpr std::uint32_t no_parent = 0xFFFFFFFFu;
+  std::uint32_t parent(std::size_t cluster) const { return parents_[cluster]; }
   /// The cluster of each of the mesh's triangles.
   const std::vector<std::uint32_t>& cluster_of_triangle() const { return cluster_of_triangle_; }
 
@@ -78,6 +81,7 @@ class MeshOctree {
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> cluster_of_triangle_;
+  std::vector<std::uint32_t> parents_;
   std::vector<std::uint16_t> corners_[3];
 };
 
