@@ -68,16 +68,14 @@ class InMemory {
  public:
   explicit InMemory(const std::int32_t* packed) : packed_(packed) {}
   HWY_INLINE Int operator()(const std::uint16_t* corners) const {
-    HWY_ALIGN std::int32_t found[most_lanes];
-    for (std::size_t i = 0; i < lanes(); ++i) found[i] = packed_[corners[i]];
-    return hn::Load(ints, found);
+    return hn::GatherIndex(ints, packed_, hn::PromoteTo(ints, hn::LoadU(indices, corners)));
   }
 
  private:
   const std::int32_t* packed_;
 };
 
-/// Holds few vertices in `count` vectors, a power of two, and looks them up by the lane.
+/// Holds few vertices in `count` vectors and looks them up by the lane.
 template <std::size_t count>
 class InVectors {
  public:
@@ -96,9 +94,10 @@ class InVectors {
     if constexpr (size == 1) {
       return hn::TableLookupLanes(part_[first], lane);
     } else {
-      const Int bit = hn::Set(ints, static_cast<std::int32_t>(size / 2 * lanes()));
-      return hn::IfThenElse(hn::TestBit(index, bit), among<first + size / 2, size / 2>(index, lane),
-                            among<first, size / 2>(index, lane));
+      constexpr std::size_t half = size > 4 ? 4 : (size > 2 ? 2 : 1);
+      const Int bit = hn::Set(ints, static_cast<std::int32_t>(half * lanes()));
+      return hn::IfThenElse(hn::TestBit(index, bit), among<first + half, size - half>(index, lane),
+                            among<first, half>(index, lane));
     }
   }
 
@@ -146,37 +145,46 @@ HWY_INLINE Found look_at(Int a, Int b, Int c) {
   return {hn::Or(has_none, hn::And(has_one, is_beside)), hn::Add(edges[0], hn::Add(edges[1], edges[2]))};
 }
 
-HWY_INLINE void count_empty(const EmptyTrianglesWork& work, Int area, IntMask empty, Counters& counters) {
-  const IntMask positive = hn::And(empty, hn::Lt(area, hn::Zero(ints)));
-  const IntMask negative = hn::And(empty, hn::Gt(area, hn::Zero(ints)));
-  const std::size_t all = hn::CountTrue(ints, empty), p = hn::CountTrue(ints, positive),
-                    n = hn::CountTrue(ints, negative);
-  const std::size_t culled = (work.cull_positive ? p : 0) + (work.cull_negative ? n : 0);
-  counters.triangles += all;
+/// The triangles that are left out, by the signs of their areas.
+struct EmptyCounts {
+  std::size_t all = 0, positive = 0, negative = 0;
+};
+
+void add(const EmptyTrianglesWork& work, const EmptyCounts& empty, Counters& counters) {
+  // y points down on the picture: a negative area is a positive determinant.
+  const std::size_t culled =
+      (work.cull_positive ? empty.negative : 0) + (work.cull_negative ? empty.positive : 0);
+  counters.triangles += empty.all;
   counters.culled += culled;
-  counters.trivially_accepted += all - culled;
-  counters.screen_triangles += all - culled;
-  counters.zero_area += all - p - n;
-  counters.back_facing += work.is_back_positive ? p : n;
+  counters.trivially_accepted += empty.all - culled;
+  counters.screen_triangles += empty.all - culled;
+  counters.zero_area += empty.all - empty.positive - empty.negative;
+  counters.back_facing += work.is_back_positive ? empty.negative : empty.positive;
 }
 
 /// Lists, in kept_triangles, the places of the triangles that are left. @return how many
 template <typename Vertices>
 HWY_INLINE std::uint32_t list_left(const EmptyTrianglesWork& work, const Vertices& vertices,
                                    Counters& counters) {
-  const auto count = static_cast<std::int32_t>(work.triangle_count);
+  const std::uint32_t count = work.triangle_count;
   auto* const places = reinterpret_cast<std::int32_t*>(work.kept_triangles);
+  const std::uint16_t* const corners[3] = {work.corners[0], work.corners[1], work.corners[2]};
+  const Int end = hn::Set(ints, static_cast<std::int32_t>(work.triangle_count)), zero = hn::Zero(ints);
+  EmptyCounts counts;
   std::size_t listed = 0;
-  for (std::uint32_t i = 0; i < work.triangle_count; i += static_cast<std::uint32_t>(lanes())) {
-    const Found found =
-        look_at(vertices(work.corners[0] + i), vertices(work.corners[1] + i), vertices(work.corners[2] + i));
+  for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(lanes())) {
+    const Found found = look_at(vertices(corners[0] + i), vertices(corners[1] + i), vertices(corners[2] + i));
     const Int place = hn::Iota(ints, static_cast<std::int32_t>(i));
-    const IntMask present = hn::Lt(place, hn::Set(ints, count));
+    const IntMask present = hn::Lt(place, end);
     const IntMask left = hn::AndNot(found.is_empty, present);
-    count_empty(work, found.area, hn::And(present, found.is_empty), counters);
+    const IntMask empty = hn::And(present, found.is_empty);
+    counts.all += hn::CountTrue(ints, empty);
+    counts.positive += hn::CountTrue(ints, hn::And(empty, hn::Gt(found.area, zero)));
+    counts.negative += hn::CountTrue(ints, hn::And(empty, hn::Lt(found.area, zero)));
     hn::StoreU(hn::Compress(place, left), ints, places + listed);
     listed += hn::CountTrue(ints, left);
   }
+  add(work, counts, counters);
   return static_cast<std::uint32_t>(listed);
 }
 
@@ -185,9 +193,7 @@ HWY_INLINE void copy_listed(const EmptyTrianglesWork& work, std::uint32_t count)
   std::uint32_t* out = work.kept_indices;
   for (std::uint32_t i = 0; i < count; ++i, out += 3) {
     const std::size_t from = work.kept_triangles[i];
-    const std::uint32_t* const index = work.indices + 3 * from;
-    hwy::CopyBytes<8>(index, out);
-    hwy::CopyBytes<4>(index + 2, out + 2);
+    for (std::size_t v = 0; v < 3; ++v) out[v] = work.first_vertex + work.corners[v][from];
     work.kept_triangles[i] = work.triangles[from];
   }
 }
@@ -209,6 +215,7 @@ std::uint32_t leave_out_empty(const EmptyTrianglesWork& work, Counters& counters
   pack(work, window);
   const std::size_t vectors = (work.vertex_count + lanes() - 1) / lanes();
   const std::uint32_t left = vectors <= 4   ? list_left(work, InVectors<4>(work.scratch), counters)
+                             : vectors <= 6 ? list_left(work, InVectors<6>(work.scratch), counters)
                              : vectors <= 8 ? list_left(work, InVectors<8>(work.scratch), counters)
                                             : list_left(work, InMemory(work.scratch), counters);
   copy_listed(work, left);

@@ -133,9 +133,11 @@ void TiledClusters::place_vertices(const ClusterBatch::PlacedMesh& placed, const
   PlacedVertices& vertices = worker.vertices;
   if (vertices.placed.size() < octree.positions().size()) vertices.placed.resize(octree.positions().size());
   vertices.clip_from_object = placed.clip_from_object;
-  transform_({&cluster.positions[0].x, cluster.positions.size(), glm::value_ptr(vertices.clip_from_object),
-              settings.width, settings.height, nullptr, nullptr,
-              vertices.placed.data() + cluster.first_position});
+  // By whole vectors: what stands behind is placed anew, in the same places, when it is needed.
+  const std::size_t behind = octree.positions().size() - cluster.first_position;
+  const std::size_t count = std::min((cluster.positions.size() + 7) / 8 * 8, behind);
+  transform_({&cluster.positions[0].x, count, glm::value_ptr(vertices.clip_from_object), settings.width,
+              settings.height, nullptr, nullptr, vertices.placed.data() + cluster.first_position});
   group.counters.vertices += cluster.positions.size();
 }
 

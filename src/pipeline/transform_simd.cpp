@@ -100,7 +100,12 @@ HWY_INLINE void transform_lanes(const TransformWork& work, const float* position
 
 }  // namespace
 
-void transform_positions(const TransformWork& work) {
+void transform_positions(const TransformWork& given) {
+  // A copy of its own, which no store can change: it stays in registers.
+  TransformWork work = given;
+  double matrix[16];
+  for (int k = 0; k < 16; ++k) matrix[k] = given.clip_from_object[k];
+  work.clip_from_object = matrix;
   const std::size_t lanes = hn::Lanes(doubles);
   std::size_t i = 0;
   for (; i + lanes <= work.count; i += lanes) {
