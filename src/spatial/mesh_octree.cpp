@@ -114,8 +114,8 @@ MeshCluster MeshOctree::clusters(std::size_t first, std::size_t end) const {
 
 std::size_t MeshOctree::bytes() const {
   return octree_.bytes() + bytes_of(spans_) + bytes_of(cones_) + bytes_of(tight_boxes_) +
-         bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_) + bytes_of(parents_) +
-         bytes_of(corners_[0]) + bytes_of(corners_[1]) + bytes_of(corners_[2]);
+         bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_) +
+         bytes_of(parents_) + bytes_of(corners_[0]) + bytes_of(corners_[1]) + bytes_of(corners_[2]);
 }
 
 }  // namespace velum
