@@ -36,23 +36,27 @@ std::vector<BoxedItem> Accelerator::boxed_triangles() const {
   return items;
 }
 
-void Accelerator::run(Search& search) const {
-  ++search.counters.rays;
-  if (!search.ray.usable) return;
-  ++search.counters.boxes;
-  const Interval inside = intersect(search.ray.through(bounds_.lower, bounds_.upper), search.ray.range);
-  if (!inside.is_empty()) traverse(search);
+RayHit Accelerator::cast(const Ray& ray, const Interval& range, Search::Aim aim, const HitFilter& filter,
+                         CastCounters& counters, std::vector<RayHit>* all) const {
+  RayHit hit;
+  ++counters.rays;
+  if (cast_alone(ray, range, aim, filter, counters, hit, all)) return hit;
+  const PreparedRay prepared(ray, range, bounds_);
+  if (!prepared.usable) return hit;
+  ++counters.boxes;
+  const Interval inside = intersect(prepared.through(bounds_.lower, bounds_.upper), range);
+  if (inside.is_empty()) return hit;
+  Search search(triangles_, prepared, aim, filter, counters, all);
+  traverse(search);
+  hit = search.hit();
+  return hit;
 }
 
 RayHit Accelerator::first_hit(const Ray& ray, const Interval& range, CastCounters& counters,
                               const HitFilter& filter) const {
-  RayHit hit;
-  if (cast_alone(ray, range, false, counters, filter, hit)) return hit;
-  const PreparedRay prepared(ray, range, bounds_);
-  Search search(triangles_, prepared, Search::Aim::first, filter, counters);
-  run(search);
-  counters.hits += search.hit().is_hit();
-  return search.hit();
+  const RayHit hit = cast(ray, range, Search::Aim::first, filter, counters);
+  counters.hits += hit.is_hit();
+  return hit;
 }
 
 void Accelerator::first_hits(std::span<const ViewRay> rays, std::span<RayHit> hits, CastCounters& counters,
@@ -67,8 +71,8 @@ void Accelerator::first_hits(std::span<const ViewRay> rays, std::span<RayHit> hi
   }
 }
 
-bool Accelerator::cast_alone(const Ray&, const Interval&, bool, CastCounters&, const HitFilter&,
-                             RayHit&) const {
+bool Accelerator::cast_alone(const Ray&, const Interval&, Search::Aim, const HitFilter&, CastCounters&,
+                             RayHit&, std::vector<RayHit>*) const {
   return false;
 }
 
@@ -79,21 +83,15 @@ bool Accelerator::first_hits_together(std::span<const ViewRay>, std::span<RayHit
 
 bool Accelerator::is_blocked(const Ray& ray, const Interval& range, CastCounters& counters,
                              const HitFilter& filter) const {
-  RayHit hit;
-  if (cast_alone(ray, range, true, counters, filter, hit)) return hit.is_hit();
-  const PreparedRay prepared(ray, range, bounds_);
-  Search search(triangles_, prepared, Search::Aim::any, filter, counters);
-  run(search);
-  counters.hits += search.hit().is_hit();
-  return search.hit().is_hit();
+  const bool is_hit = cast(ray, range, Search::Aim::any, filter, counters).is_hit();
+  counters.hits += is_hit;
+  return is_hit;
 }
 
 void Accelerator::all_hits(const Ray& ray, const Interval& range, CastCounters& counters,
                            std::vector<RayHit>& out, const HitFilter& filter) const {
   out.clear();
-  const PreparedRay prepared(ray, range, bounds_);
-  Search search(triangles_, prepared, Search::Aim::all, filter, counters, &out);
-  run(search);
+  cast(ray, range, Search::Aim::all, filter, counters, &out);
   std::sort(out.begin(), out.end(),
             [](const RayHit& a, const RayHit& b) { return is_before(a.t, a.triangle, b.t, b.triangle); });
   // A structure may have handed a triangle over more than once; its hits are equal then.

@@ -46,17 +46,20 @@ class Accelerator {
   std::vector<BoxedItem> boxed_triangles() const;
   /// Hands the search what its ray may hit. @pre the ray is usable and meets the bounds
   virtual void traverse(Search& search) const = 0;
-  /// Finds the first hit, or any, by a way of its own, with the counting.
+  /// Casts a ray by a way of its own, with counting, but for rays and hits.
+  /// @param hit  what Aim::first and Aim::any find; otherwise unchanged
+  /// @param all  where Aim::all puts what it finds, in any order
   /// @return false: the ray has to be traversed; nothing was done
-  virtual bool cast_alone(const Ray& ray, const Interval& range, bool is_any, CastCounters& counters,
-                          const HitFilter& filter, RayHit& hit) const;
+  virtual bool cast_alone(const Ray& ray, const Interval& range, Search::Aim aim, const HitFilter& filter,
+                          CastCounters& counters, RayHit& hit, std::vector<RayHit>* all) const;
   /// Casts up to eight rays at once, with the hits of first_hit(). @return false: they have to be cast one by
   /// one; nothing was done
   virtual bool first_hits_together(std::span<const ViewRay> rays, std::span<RayHit> hits,
                                    CastCounters& counters, const HitFilter& filter) const;
 
  private:
-  void run(Search& search) const;
+  RayHit cast(const Ray& ray, const Interval& range, Search::Aim aim, const HitFilter& filter,
+              CastCounters& counters, std::vector<RayHit>* all = nullptr) const;
 
   TriangleSet triangles_;
   Aabb bounds_;

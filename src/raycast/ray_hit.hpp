@@ -4,6 +4,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "walk_counts.hpp"
+
 namespace velum {
 
 /// No triangle has this number.
@@ -24,11 +26,8 @@ constexpr bool is_before(double t, std::uint32_t id, double other_t, std::uint32
 }
 
 /// What casting rays cost. Deterministic for given rays and structures.
-struct CastCounters {
+struct CastCounters : WalkCounts {
   std::uint64_t rays = 0;
-  std::uint64_t nodes = 0;    ///< nodes or cells that the rays went into
-  std::uint64_t boxes = 0;    ///< intersections with boxes or dividing planes
-  std::uint64_t tests = 0;    ///< intersections with triangles
   std::uint64_t mailbox = 0;  ///< triangles met again in another cell and not tested again
   std::uint64_t hits = 0;     ///< rays that hit something; all_hits: hits
 

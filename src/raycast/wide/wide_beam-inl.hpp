@@ -28,8 +28,8 @@ class PacketBeam {
     const bool is_back = frustum.inverse_high[kz] < 0.0f;
     sign_ = is_back ? -1.0f : 1.0f;
     // All rays begin beyond here; what lies before the tree is of no interest, nor what lies behind it.
-    const double lower = static_cast<double>(query.bounds[kz]),
-                 upper = static_cast<double>(query.bounds[3 + kz]);
+    const double lower = static_cast<double>(query.bounds->lower[kz]),
+                 upper = static_cast<double>(query.bounds->upper[kz]);
     const double near = is_back ? -upper : lower, far = is_back ? -lower : upper;
     double first = lines.least_start(static_cast<double>(sign_));
     first = first < near ? near : first;

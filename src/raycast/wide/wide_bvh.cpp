@@ -3,36 +3,25 @@
 #include <limits>
 
 #include "../intersection/watertight.hpp"
-#include "wide_ray.hpp"
 
 namespace velum {
 namespace {
-
-/// Decides what a kernel proposes.
-struct Decision {
-  Search& search;
-  double scale;
-
-  float meet(const TriangleBlock& block, std::uint32_t lanes) {
-    for (std::size_t lane = 0; lanes != 0; ++lane, lanes >>= 1) {
-      if ((lanes & 1u) == 0) continue;
-      search.decide(block.id[lane], triangle_in(block, lane));
-      if (search.is_done()) return -std::numeric_limits<float>::infinity();
-    }
-    return rounded_up(search.limit() * scale);
-  }
-};
 
 /// A ray that a kernel asks about.
 struct LoneRay {
   const Ray& ray;
   const Interval& range;
   const Aabb& bounds;
+  std::vector<RayHit>* all;
 
   bool decide(const TriangleBlock& block, std::size_t lane, WideHit& hit) const {
     return decide_exactly(PreparedRay(ray, range, bounds), block, lane, hit);
   }
 };
+
+RayHit hit_of(const WideHit& hit) {
+  return {hit.t, hit.triangle, {hit.barycentric[0], hit.barycentric[1], hit.barycentric[2]}};
+}
 
 }  // namespace
 
@@ -53,63 +42,47 @@ bool decide_exactly(const PreparedRay& ray, const TriangleBlock& block, std::siz
 }
 
 WideBvh::WideBvh(const TriangleSet& triangles, Isa isa)
-    : Accelerator(triangles),
-      tree_(build_wide_tree(triangles, isa)),
-      kernel_(isa == Isa::reference ? nullptr : traverse_wide_kernel(isa)),
-      cast_(isa == Isa::reference ? CastWideKernels{} : cast_wide_kernels(isa)),
-      packet_kernel_(isa == Isa::reference ? nullptr : traverse_packet_kernel(isa)) {
+    : Accelerator(triangles), tree_(build_wide_tree(triangles, isa)) {
   for (int axis = 0; axis < 3; ++axis) {
-    float_bounds_[axis] = static_cast<float>(bounds().lower[axis]);
-    float_bounds_[3 + axis] = static_cast<float>(bounds().upper[axis]);
+    float_bounds_.lower[axis] = static_cast<float>(bounds().lower[axis]);
+    float_bounds_.upper[axis] = static_cast<float>(bounds().upper[axis]);
   }
+  if (isa == Isa::reference) return;
+  cast_ = cast_wide_kernels(isa);
+  packet_kernel_ = traverse_packet_kernel(isa);
 }
 
-bool WideBvh::cast_alone(const Ray& ray, const Interval& range, bool is_any, CastCounters& counters,
-                         const HitFilter& filter, RayHit& hit) const {
-  const CastWide kernel = is_any ? cast_.any : cast_.first;
+bool WideBvh::cast_alone(const Ray& ray, const Interval& range, Search::Aim aim, const HitFilter& filter,
+                         CastCounters& counters, RayHit& hit, std::vector<RayHit>* all) const {
+  const CastWide kernel =
+      aim == Search::Aim::first ? cast_.first : (aim == Search::Aim::any ? cast_.any : cast_.all);
   if (kernel == nullptr || tree_.is_empty()) return false;
-  LoneRay context{ray, range, bounds()};
-  const WideQuery query{&ray.origin.x,
-                        &ray.direction.x,
-                        range.lower,
-                        range.upper,
-                        float_bounds_,
-                        &context,
-                        filter.accepts,
-                        filter.context,
-                        [](void* self, const TriangleBlock& block, std::size_t lane, WideHit& found) {
-                          return static_cast<const LoneRay*>(self)->decide(block, lane, found);
-                        }};
-  WideHit found{std::numeric_limits<double>::infinity(), no_triangle, {0.0, 0.0, 0.0}};
-  WideCounts counts;
-  if (!kernel(tree_.view(), query, found, counts)) return false;
-  hit.t = found.t;
-  hit.triangle = found.triangle;
-  hit.barycentric = {found.barycentric[0], found.barycentric[1], found.barycentric[2]};
-  ++counters.rays;
-  counters.hits += hit.is_hit();
-  counters.nodes += counts.nodes;
-  counters.boxes += counts.boxes;
-  counters.tests += counts.tests;
+  LoneRay lone{ray, range, bounds(), all};
+  WideQuery query;
+  query.origin = &ray.origin.x;
+  query.direction = &ray.direction.x;
+  query.lower = range.lower;
+  query.upper = range.upper;
+  query.bounds = &float_bounds_;
+  query.context = &lone;
+  query.accepts = filter.accepts;
+  query.filter_context = filter.context;
+  query.decide = [](void* self, const TriangleBlock& block, std::size_t lane, WideHit& found) {
+    return static_cast<const LoneRay*>(self)->decide(block, lane, found);
+  };
+  query.add = [](void* self, const WideHit& found) {
+    static_cast<const LoneRay*>(self)->all->push_back(hit_of(found));
+  };
+  WideHit found;
+  found.t = std::numeric_limits<double>::infinity();
+  found.triangle = no_triangle;
+  if (!kernel(tree_.view(), query, found, counters)) return false;
+  if (found.triangle != no_triangle) hit = hit_of(found);
   return true;
 }
 
 void WideBvh::traverse(Search& search) const {
-  if (tree_.is_empty()) return;
-  WideRay ray;
-  if (kernel_ == nullptr || !make_wide_ray(search.ray, ray)) {
-    traverse_wide_reference(tree_, search);
-    return;
-  }
-  Decision decision{search, scale_of(search.ray)};
-  const WideMeeting meeting{&decision, [](void* context, const TriangleBlock& block, std::uint32_t lanes) {
-                              return static_cast<Decision*>(context)->meet(block, lanes);
-                            }};
-  WideCounts counts;
-  kernel_(tree_.view(), ray, meeting, counts);
-  search.counters.nodes += counts.nodes;
-  search.counters.boxes += counts.boxes;
-  search.counters.tests += counts.tests;
+  if (!tree_.is_empty()) traverse_wide_reference(tree_, search);
 }
 
 }  // namespace velum

@@ -2,7 +2,6 @@
 
 #include "../accelerator.hpp"
 #include "wide_cast_kernels.hpp"
-#include "wide_kernels.hpp"
 #include "wide_packet_kernels.hpp"
 #include "wide_tree.hpp"
 
@@ -21,16 +20,15 @@ class WideBvh final : public Accelerator {
 
  private:
   void traverse(Search& search) const override;
-  bool cast_alone(const Ray& ray, const Interval& range, bool is_any, CastCounters& counters,
-                  const HitFilter& filter, RayHit& hit) const override;
+  bool cast_alone(const Ray& ray, const Interval& range, Search::Aim aim, const HitFilter& filter,
+                  CastCounters& counters, RayHit& hit, std::vector<RayHit>* all) const override;
   bool first_hits_together(std::span<const ViewRay> rays, std::span<RayHit> hits, CastCounters& counters,
                            const HitFilter& filter) const override;
 
   WideTree tree_;
-  TraverseWide kernel_;  ///< nullptr: plain loops
-  CastWideKernels cast_{};
-  TraversePacket packet_kernel_;  ///< nullptr: ray by ray
-  float float_bounds_[6];         ///< lower x, y, z, upper x, y, z
+  CastWideKernels cast_{};                  ///< nullptr: plain loops
+  TraversePacket packet_kernel_ = nullptr;  ///< nullptr: ray by ray
+  WideBounds float_bounds_{};
 };
 
 /// One of a block's triangles. @pre lane < 4

@@ -29,8 +29,8 @@ struct ExactRay {
     set_axes(query);
     double reach = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double to_lower = size_of(static_cast<double>(query.bounds[i]) - query.origin[i]);
-      const double to_upper = size_of(static_cast<double>(query.bounds[3 + i]) - query.origin[i]);
+      const double to_lower = size_of(static_cast<double>(query.bounds->lower[i]) - query.origin[i]);
+      const double to_upper = size_of(static_cast<double>(query.bounds->upper[i]) - query.origin[i]);
       reach = reach < to_lower ? to_lower : reach;
       reach = reach < to_upper ? to_upper : reach;
     }

@@ -65,8 +65,8 @@ struct PacketFrustum {
     bool is_one_way = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       is_one_way &= set_axis(extremes, axis);
-      reach = larger(
-          reach, larger(query.bounds[3 + axis] - origin_low[axis], origin_high[axis] - query.bounds[axis]));
+      reach = larger(reach, larger(query.bounds->upper[axis] - origin_low[axis],
+                                   origin_high[axis] - query.bounds->lower[axis]));
       farthest = larger(farthest, larger(-origin_low[axis], origin_high[axis]));
       const float least = extremes.low[3 + axis], most = extremes.high[3 + axis];
       speed = larger(speed, larger(-least, most));

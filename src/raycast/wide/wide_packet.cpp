@@ -37,7 +37,7 @@ bool WideBvh::first_hits_together(std::span<const ViewRay> rays, std::span<RayHi
   const PacketQuery query{
       &rays[0].ray.origin.x,
       rays.size(),
-      float_bounds_,
+      &float_bounds_,
       &group,
       filter.accepts,
       filter.context,
@@ -45,17 +45,13 @@ bool WideBvh::first_hits_together(std::span<const ViewRay> rays, std::span<RayHi
         return static_cast<const RayGroup*>(self)->decide(block, lane, i, hit);
       }};
   PacketHits found;
-  WideCounts counts;
-  const PacketOutcome outcome = packet_kernel_(tree_.view(), query, found, counts);
+  const PacketOutcome outcome = packet_kernel_(tree_.view(), query, found, counters);
   if (outcome == PacketOutcome::refused) return false;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = outcome == PacketOutcome::cast ? hit_of(found, i) : RayHit{};
     counters.hits += hits[i].is_hit();
   }
   counters.rays += rays.size();
-  counters.nodes += counts.nodes;
-  counters.boxes += counts.boxes;
-  counters.tests += counts.tests;
   return true;
 }
 

@@ -98,8 +98,8 @@ struct PacketLines {
     auto reach = hn::Zero(rays);
     for (std::size_t a = 0; a < 3; ++a) {
       const auto from = hn::Load(rays, number[a] + i);
-      const auto lower = hn::Set(rays, static_cast<double>(query.bounds[a]));
-      const auto upper = hn::Set(rays, static_cast<double>(query.bounds[3 + a]));
+      const auto lower = hn::Set(rays, static_cast<double>(query.bounds->lower[a]));
+      const auto upper = hn::Set(rays, static_cast<double>(query.bounds->upper[a]));
       reach = hn::Max(reach, hn::Max(hn::Abs(hn::Sub(lower, from)), hn::Abs(hn::Sub(upper, from))));
     }
     const auto margin = hn::Mul(hn::Set(rays, 0x1p-48), reach);

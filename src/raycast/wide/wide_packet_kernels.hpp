@@ -7,10 +7,10 @@ namespace velum {
 /// Eight rays, and who is asked about them.
 struct PacketQuery {
   static constexpr std::size_t size = 8;
-  const double* rays;   ///< each: origin, direction, and the least and the largest t that are wanted
-  std::size_t count;    ///< 1 … 8; of fewer the last one is repeated
-  const float* bounds;  ///< of the tree: lower x, y, z, upper x, y, z
-  void* context;        ///< for `decide`
+  const double* rays;  ///< each: origin, direction, and the least and the largest t that are wanted
+  std::size_t count;   ///< 1 … 8; of fewer the last one is repeated
+  const WideBounds* bounds;
+  void* context;  ///< for `decide`
   /// Whether a triangle counts; nullptr: all do.
   bool (*accepts)(const void* context, std::uint32_t triangle);
   const void* filter_context;
@@ -40,7 +40,7 @@ enum class PacketOutcome {
 /// intersect_watertight().
 /// @pre the tree is not empty
 using TraversePacket = PacketOutcome (*)(const WideTreeView& tree, const PacketQuery& query, PacketHits& hits,
-                                         WideCounts& counts);
+                                         WalkCounts& counts);
 
 /// @pre is_available(isa), and not `reference`
 TraversePacket traverse_packet_kernel(Isa isa);

@@ -37,7 +37,7 @@ struct PacketLeaves {
 
 /// The rest of the way, from the first leaf on.
 void visit_leaves(const Places& places, const BoxPacket& box_packet, PacketLeaves& leaves,
-                  WideReference current, float upper, Stack& stack, WideCounts& counts) {
+                  WideReference current, float upper, Stack& stack, WalkCounts& counts) {
   for (bool is_left = true; is_left;) {
     ++counts.nodes;
     if (current.is_block()) {
@@ -58,7 +58,7 @@ void visit_leaves(const Places& places, const BoxPacket& box_packet, PacketLeave
 
 /// Through inner nodes only. @return false: there is no leaf to visit
 HWY_INLINE bool find_leaf(const Places& places, const BoxPacket& box_packet, float upper, Stack& stack,
-                          WideReference& current, WideCounts& counts) {
+                          WideReference& current, WalkCounts& counts) {
   while (!current.is_block()) {
     ++counts.nodes;
     counts.boxes += 8;
@@ -77,14 +77,14 @@ HWY_INLINE bool find_leaf(const Places& places, const BoxPacket& box_packet, flo
 }  // namespace
 
 PacketOutcome traverse_packet(const WideTreeView& tree, const PacketQuery& query, PacketHits& hits,
-                              WideCounts& counts) {
+                              WalkCounts& counts) {
   const PacketFrustum frustum(query);
   if (!frustum.is_usable) return PacketOutcome::refused;
   const BoxPacket box_packet(frustum);
   Stack stack;
   const Places places(tree);
   WideReference current = tree.root;
-  WideCounts seen;
+  WalkCounts seen;
   const bool has_leaf = find_leaf(places, box_packet, frustum.upper, stack, current, seen);
   if (has_leaf) {
     PacketLines lines;
