@@ -81,7 +81,8 @@ class HierarchicalStage {
     draw_placeless();
     walk_scene();
     // Few triangles hide little that was not hidden before.
-    if (!buffers_.remembers || unpublished_ + buffers_.batch.triangles >= smallest_batch) flush();
+    const std::uint64_t few = std::max(smallest_batch, remembered_ / remembered_per_batch);
+    if (!buffers_.remembers || unpublished_ + buffers_.batch.triangles >= few) flush();
     draw_postponed();
     flush(true);
   }
