@@ -130,6 +130,24 @@ HWY_INLINE DoubleDoubles log_extended(Double x) {
              {product(two, log_significand.high), product(two, log_significand.low)});
 }
 
+/// elementary::log() of positive normal numbers.
+HWY_INLINE Double log(Double x) {
+  const Scaled scaled = split_around_one(x);
+  const Double f = difference(scaled.significand, all(1.0));
+  const Double s = hn::Div(f, sum(all(2.0), f));
+  const Double z = product(s, s);
+  Double rest = all(1.479819860510658591e-01);
+  for (const double coefficient :
+       {1.531383769920937332e-01, 1.818357216161805012e-01, 2.222219843214978396e-01,
+        2.857142874366239149e-01, 3.999999999940941908e-01, 6.666666666666735130e-01})
+    rest = sum(all(coefficient), product(z, rest));
+  const Double half_square = product(product(all(0.5), f), f);
+  const Double low = sum(product(s, sum(half_square, product(z, rest))),
+                         product(scaled.exponent, all(1.90821492927058770002e-10)));
+  return difference(product(scaled.exponent, all(6.93147180369123816490e-01)),
+                    difference(difference(half_square, low), f));
+}
+
 HWY_INLINE Double power_of_two(hn::Vec<Ints> exponent) {
   const auto biased = hn::Add(hn::PromoteTo(signed_bits, exponent), hn::Set(signed_bits, 1023));
   return hn::BitCast(doubles, hn::ShiftLeft<52>(biased));

@@ -136,10 +136,13 @@ const TrianglePlanes& PixelShader::planes() {
   const Shading shading = context_->input.settings.shading;
   if (shading == Shading::flat) {
     const glm::vec4& face = visible.lit.face;
-    visible.planes = planes_of(visible.triangle, {face, face, face});
+    const glm::vec3& highlight = visible.lit.face_highlight;
+    const std::array<glm::vec3, 3> highlights{highlight, highlight, highlight};
+    visible.planes = planes_of(visible.triangle, {face, face, face}, &highlights);
+  } else if (shading == Shading::gouraud) {
+    visible.planes = planes_of(visible.triangle, visible.lit.corners, &visible.lit.corner_highlights);
   } else {
-    const bool is_gouraud = shading == Shading::gouraud;
-    visible.planes = planes_of(visible.triangle, is_gouraud ? visible.lit.corners : visible.triangle.colours);
+    visible.planes = planes_of(visible.triangle, visible.triangle.colours);
   }
   return visible.planes;
 }

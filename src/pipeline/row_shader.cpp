@@ -31,13 +31,13 @@ RowContext::RowContext(const ShadeContext& shade_context, const PictureTarget& t
   needs.colour = has_linear;
   if (!is_used) return;
   interpolate = interpolate_surface_kernel(settings.isa);
+  lay_texture = texture_row_kernel(settings.isa);
   light = light_row_kernel(settings.isa);
 }
 
 bool RowShader::can_shade(const VisiblePrimitive& primitive) const {
   if (!context_->is_used || primitive.kind != PrimitiveKind::triangle) return false;
-  const bool shows_texture = context_->has_linear && primitive.triangle.material->texture != nullptr;
-  return primitive.triangle.determinant != 0.0 && !shows_texture;
+  return primitive.triangle.determinant != 0.0;
 }
 
 void RowShader::start(int x, int y) {
@@ -47,8 +47,12 @@ void RowShader::start(int x, int y) {
 }
 
 void RowShader::add(PixelShader& shader, std::size_t begin, std::size_t end) {
-  context_->interpolate({&shader.planes(), x_, y_, begin, end, context_->needs, &row_});
-  const Material* const material = context_->needs.viewer ? shader.selected().triangle.material : nullptr;
+  const Material& shown = *shader.selected().triangle.material;
+  SurfaceNeeds needs = context_->needs;
+  needs.texture = context_->has_linear && shown.texture != nullptr;
+  context_->interpolate({&shader.planes(), x_, y_, begin, end, needs, &row_});
+  if (needs.texture) lay_texture(shown, shader.planes(), begin, end);
+  const Material* const material = context_->needs.viewer ? &shown : nullptr;
   if (stretch_count_ > 0) {
     Stretch& last = stretches_[stretch_count_ - 1];
     if (last.material == material && last.end == begin) {
@@ -57,6 +61,15 @@ void RowShader::add(PixelShader& shader, std::size_t begin, std::size_t end) {
     }
   }
   stretches_[stretch_count_++] = {material, begin, end};
+}
+
+void RowShader::lay_texture(const Material& material, const TrianglePlanes& planes, std::size_t begin,
+                            std::size_t end) {
+  if (texture_of_ != &material) {
+    texture_of_ = &material;
+    texture_ = row_texture_of(material, context_->context.input.settings.texture_filter);
+  }
+  context_->lay_texture({&planes, &texture_, begin, end, &row_});
 }
 
 void RowShader::finish() {

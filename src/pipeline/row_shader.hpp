@@ -4,6 +4,7 @@
 #include <span>
 
 #include "../shading/surface_rows.hpp"
+#include "../shading/texture_rows.hpp"
 #include "pixel_shader.hpp"
 
 namespace velum {
@@ -18,6 +19,7 @@ struct RowContext {
   bool has_linear;  ///< … as linear colours, which may be translucent; otherwise as codes
   SurfaceNeeds needs;
   InterpolateSurface interpolate = nullptr;
+  TextureRow lay_texture = nullptr;
   LightRow light = nullptr;
 };
 
@@ -26,9 +28,12 @@ struct RowContext {
 class RowShader {
  public:
   /// @param context  must outlive every further call
-  void begin(const RowContext& context) { context_ = &context; }
+  void begin(const RowContext& context) {
+    context_ = &context;
+    texture_of_ = nullptr;
+  }
 
-  /// Whether the pixels of a primitive may be added: it is no line, has area, and shows no texture.
+  /// Whether the pixels of a primitive may be added: it is no line, and has area.
   bool can_shade(const VisiblePrimitive& primitive) const;
 
   /// Begins with the pixel (x, y) of the whole picture, whose index is 0.
@@ -49,6 +54,8 @@ class RowShader {
   Rgba8 codes_at(std::size_t i) const;
 
  private:
+  void lay_texture(const Material& material, const TrianglePlanes& planes, std::size_t begin,
+                   std::size_t end);
   void light(const Stretch& stretch);
 
   const RowContext* context_ = nullptr;
@@ -57,6 +64,8 @@ class RowShader {
   std::size_t stretch_count_ = 0;
   std::array<Stretch, most_row_pixels> stretches_{};
   SurfaceRow row_{};
+  const Material* texture_of_ = nullptr;  ///< whose texture is at hand
+  RowTexture texture_{};
 };
 
 }  // namespace velum

@@ -26,9 +26,14 @@ struct TrianglePlanes {
   double eye[3];           ///< where the viewer stands, or the direction to it
   float normal[3][3];      ///< of each axis, world space, on the viewer's side
   float geometric_normal[3];
-  float colour[4][3];  ///< of each channel, linear, straight alpha
-  bool is_in_front;    ///< all vertices have w > 0
-  bool has_place;      ///< the viewer stands somewhere (perspective)
+  float colour[4][3];     ///< of each channel, linear, straight alpha
+  float highlight[3][3];  ///< of each channel of `colour`, what no texture colours
+  bool has_highlight;
+  double texture[2][3];        ///< of each texture coordinate, at the vertices
+  double edge_gradient[3][2];  ///< of each edge plane, per pixel to the right and down
+  bool is_texture_constant;    ///< all vertices have the same coordinates
+  bool is_in_front;            ///< all vertices have w > 0
+  bool has_place;              ///< the viewer stands somewhere (perspective)
 };
 
 /// What surfaces show along a row; see SurfacePoint.
@@ -39,6 +44,10 @@ struct SurfaceRow {
   alignas(64) float barycentric[3][row_room];
   alignas(64) float normal[3][row_room];  ///< the shading normal
   alignas(64) float colour[4][row_room];
+  alignas(64) double texture_at[2][row_room];  ///< the mesh's coordinates
+  alignas(64) double texture_dx[2][row_room];  ///< their change per pixel to the right
+  alignas(64) double texture_dy[2][row_room];  ///< their change per pixel down
+  alignas(64) float texel[4][row_room];        ///< see TextureRow
 };
 
 /// Which of them are wanted.
@@ -47,6 +56,7 @@ struct SurfaceNeeds {
   bool metric_depth = false;
   bool normal = false;
   bool colour = false;
+  bool texture = false;
 };
 
 struct SurfaceWork {

@@ -56,6 +56,8 @@ HWY_INLINE Double larger(Double a, Double b) {
 struct Weights {
   Vector3<Double> exact;
   Vector3<Double> clamped;
+  Vector3<Double> edges;  ///< edge_values() of triangle_view.cpp
+  Double sum;             ///< of them
 };
 
 /// barycentrics_at() in row y.
@@ -79,7 +81,7 @@ HWY_INLINE Weights weights_at(const TrianglePlanes& t, Double px, double py) {
   const Vector3<Double> inside = {positive(exact.x), positive(exact.y), positive(exact.z)};
   const Double inside_sum = hn::Add(hn::Add(inside.x, inside.y), inside.z);
   const Vector3<Double> nearest = {all(t.nearest[0]), all(t.nearest[1]), all(t.nearest[2])};
-  return {choose(is_sound, exact, nearest), choose(is_sound, over(inside, inside_sum), nearest)};
+  return {choose(is_sound, exact, nearest), choose(is_sound, over(inside, inside_sum), nearest), edges, sum};
 }
 
 /// interpolate() with the differences at hand.
@@ -110,6 +112,40 @@ HWY_INLINE Vector3<Double> normalised(const Vector3<Double>& v) {
   const Mask has_size = hn::And(hn::Gt(largest, zero), hn::Le(largest, all(hwy::HighestValue<double>())));
   const Vector3<Double> none = {zero, zero, zero};
   return choose(hn::And(has_size, hn::Gt(length, zero)), over(scaled, length), none);
+}
+
+/// Texture coordinates as apply_texture() of surface_point.cpp has them.
+HWY_INLINE Double texture_coordinate(const double (&vertices)[3], const Vector3<Double>& weights) {
+  const Double first = hn::Add(hn::Zero(doubles), hn::Mul(all(vertices[0]), weights.x));
+  return hn::Add(hn::Add(first, hn::Mul(all(vertices[1]), weights.y)), hn::Mul(all(vertices[2]), weights.z));
+}
+
+/// One coordinate's change per pixel; see texture_derivatives_at().
+HWY_INLINE Double texture_change(const TrianglePlanes& t, const Weights& weights, int coordinate, int axis) {
+  const double(&vertices)[3] = t.texture[coordinate];
+  const Vector3<Double> at = {all(vertices[0]), all(vertices[1]), all(vertices[2])};
+  const Double here = hn::Div(dot(at, weights.edges), weights.sum);
+  Double change = hn::Zero(doubles);
+  for (int i = 0; i < 3; ++i)
+    change = hn::Add(change, hn::Mul(hn::Sub(all(vertices[i]), here), all(t.edge_gradient[i][axis])));
+  return hn::Div(change, weights.sum);
+}
+
+HWY_INLINE void lay_texture(const TrianglePlanes& t, const Weights& weights, std::size_t i, SurfaceRow& row) {
+  Double change[2][2];  // per axis of the picture, of each coordinate
+  for (int k = 0; k < 2; ++k) {
+    hn::StoreU(texture_coordinate(t.texture[k], weights.clamped), doubles, row.texture_at[k] + i);
+    for (int axis = 0; axis < 2; ++axis) {
+      change[axis][k] = t.is_texture_constant ? hn::Zero(doubles) : texture_change(t, weights, k, axis);
+    }
+  }
+  const auto square = [](const Double(&v)[2]) { return hn::Add(hn::Mul(v[0], v[0]), hn::Mul(v[1], v[1])); };
+  const Double size = hn::Add(square(change[0]), square(change[1]));
+  const Mask is_finite = hn::Le(size, all(hwy::HighestValue<double>()));
+  for (int k = 0; k < 2; ++k) {
+    hn::StoreU(hn::IfThenElseZero(is_finite, change[0][k]), doubles, row.texture_dx[k] + i);
+    hn::StoreU(hn::IfThenElseZero(is_finite, change[1][k]), doubles, row.texture_dy[k] + i);
+  }
 }
 
 /// Position and the direction to the viewer.
@@ -158,6 +194,7 @@ void interpolate_surface(const SurfaceWork& work) {
     if (work.needs.viewer) place(t, weights, i, row);
     if (work.needs.metric_depth) hn::StoreU(metric_depth_of(t, weights), doubles, row.metric_depth + i);
     if (work.needs.normal) turn(t, weight_y, weight_z, i, row);
+    if (work.needs.texture) lay_texture(t, weights, i, row);
     if (!work.needs.colour) continue;
     for (int channel = 0; channel < 4; ++channel)
       hn::StoreU(interpolated(t.colour[channel], weight_y, weight_z), floats, row.colour[channel] + i);

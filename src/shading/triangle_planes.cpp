@@ -13,9 +13,23 @@ void set_plane(const std::array<Vector, 3>& values, int component, Scalar (&plan
   plane[2] = values[2][component] - values[0][component];
 }
 
+/// What a texture is looked up by.
+void set_texture(const TriangleView& triangle, TrianglePlanes& planes) {
+  const std::array<glm::vec2, 3>& coordinates = triangle.texture_coordinates;
+  planes.is_texture_constant = coordinates[0] == coordinates[1] && coordinates[1] == coordinates[2];
+  for (int i = 0; i < 3; ++i) {
+    const auto vertex = static_cast<std::size_t>(i);
+    for (int axis = 0; axis < 2; ++axis) {
+      planes.texture[axis][i] = static_cast<double>(coordinates[vertex][axis]);
+      planes.edge_gradient[i][axis] = triangle.edge_gradient[vertex][axis];
+    }
+  }
+}
+
 }  // namespace
 
-TrianglePlanes planes_of(const TriangleView& triangle, const std::array<glm::vec4, 3>& colours) {
+TrianglePlanes planes_of(const TriangleView& triangle, const std::array<glm::vec4, 3>& colours,
+                         const std::array<glm::vec3, 3>* highlights) {
   TrianglePlanes planes{};
   for (int i = 0; i < 3; ++i) {
     const auto vertex = static_cast<std::size_t>(i);
@@ -37,6 +51,10 @@ TrianglePlanes planes_of(const TriangleView& triangle, const std::array<glm::vec
       planes.has_place ? glm::dvec3(triangle.eye) / triangle.eye.w : glm::dvec3(triangle.eye);
   for (int axis = 0; axis < 3; ++axis) planes.eye[axis] = eye[axis];
   planes.is_in_front = triangle.is_in_front;
+  planes.has_highlight = highlights != nullptr;
+  for (int channel = 0; planes.has_highlight && channel < 3; ++channel)
+    set_plane(*highlights, channel, planes.highlight[channel]);
+  set_texture(triangle, planes);
   return planes;
 }
 

@@ -10,6 +10,8 @@ namespace velum {
 
 /// A triangle as the vector kernels read it.
 /// @param colours  of the vertices: the triangle's own, or lit ones (Gouraud)
-TrianglePlanes planes_of(const TriangleView& triangle, const std::array<glm::vec4, 3>& colours);
+/// @param highlights  of lit colours, the parts that no texture colours; nullptr: none
+TrianglePlanes planes_of(const TriangleView& triangle, const std::array<glm::vec4, 3>& colours,
+                         const std::array<glm::vec3, 3>* highlights = nullptr);
 
 }  // namespace velum

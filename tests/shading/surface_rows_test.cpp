@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "shading/shading.hpp"
+#include "shading/shade.hpp"
+#include "shading/texture_rows.hpp"
 #include "shading/triangle_planes.hpp"
 #include "test_cameras.hpp"
 
@@ -40,12 +41,30 @@ Mesh random_mesh(Random& random) {
     colours.emplace_back(glm::vec3(random_vector(random, 0, 1)), static_cast<float>(random.uniform()));
   }
   if (random.below(4) == 0) normals[1] = normals[2] = -normals[0];
+  const double spreads[] = {0.0, 1e-6, 0.01, 1.0, 1.0, 30.0, 1e12};
+  const double spread = spreads[random.below(7)];
+  std::vector<glm::vec2> coordinates;
+  for (int i = 0; i < 3; ++i) coordinates.emplace_back(random_vector(random, -spread, spread));
   Mesh mesh;
+  mesh.texture_coordinates = std::move(coordinates);
   mesh.positions = std::move(positions);
   mesh.triangles = {glm::uvec3(0, 1, 2)};
   mesh.normals = std::move(normals);
   mesh.colours = std::move(colours);
   return mesh;
+}
+
+std::shared_ptr<const Texture> random_texture(Random& random) {
+  Image<Rgba8> picture(1 + random.below(70), 1 + random.below(40));
+  const bool is_opaque = random.below(2) == 0;
+  const auto code = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      picture.at(x, y) = {code(), code(), code(),
+                          is_opaque || random.below(3) == 0 ? std::uint8_t{255} : code()};
+    }
+  }
+  return std::make_shared<const Texture>(picture.view());
 }
 
 Material random_material(Random& random) {
@@ -55,6 +74,12 @@ Material random_material(Random& random) {
   material.ambient = random_vector(random, 0, 1);
   material.specular = random.below(4) == 0 ? glm::dvec3(0.0) : random_vector(random, 0, 1);
   material.shininess = shininesses[random.below(6)];
+  if (random.below(4) == 0) return material;
+  material.texture = random_texture(random);
+  const TextureWrap wraps[] = {TextureWrap::repeat, TextureWrap::clamp, TextureWrap::mirror};
+  material.texture_mapping.wrap = {wraps[random.below(3)], wraps[random.below(3)]};
+  material.texture_mapping.scale = random_vector(random, -2, 2);
+  material.texture_mapping.offset = random_vector(random, -1, 1);
   return material;
 }
 
@@ -98,12 +123,45 @@ struct Case {
   std::size_t begin, end;
 };
 
+/// Interpolates, and lays the material's texture over it.
+void fill(const Case& c, const TrianglePlanes& planes, Isa isa, SurfaceRow& row) {
+  const Material& material = *c.triangle.material;
+  const SurfaceNeeds needs{true, true, true, true, material.texture != nullptr};
+  interpolate_surface_kernel(isa)({&planes, first_x, c.y, c.begin, c.end, needs, &row});
+  if (!needs.texture) return;
+  const RowTexture texture = row_texture_of(material, c.triangle.texture_filter);
+  texture_row_kernel(isa)({&planes, &texture, c.begin, c.end, &row});
+}
+
+bool same_colour(const glm::vec4& colour, const SurfaceRow& row, std::size_t i) {
+  return same(colour.x, row.colour[0][i]) && same(colour.y, row.colour[1][i]) &&
+         same(colour.z, row.colour[2][i]) && same(colour.w, row.colour[3][i]);
+}
+
+/// Lit once per triangle or at the vertices, under the texture.
+void check_lit_before(const Case& c, Shading shading, Isa isa) {
+  CAPTURE(name_of(isa));
+  const LitTriangle lit = light_triangle(shading, c.lighting, c.triangle);
+  const std::array<glm::vec4, 3> faces{lit.face, lit.face, lit.face};
+  const std::array<glm::vec3, 3> highlights{lit.face_highlight, lit.face_highlight, lit.face_highlight};
+  const bool is_flat = shading == Shading::flat;
+  const TrianglePlanes planes =
+      planes_of(c.triangle, is_flat ? faces : lit.corners, is_flat ? &highlights : &lit.corner_highlights);
+  const auto row = std::make_unique<SurfaceRow>();
+  fill(c, planes, isa, *row);
+  int different = 0;
+  for (std::size_t i = c.begin; i < c.end; ++i) {
+    const SurfacePoint point = surface_point(c.triangle, first_x + static_cast<int>(i), c.y, 0.5f);
+    different += !same_colour(shade(shading, c.lighting, lit, point, {}), *row, i);
+  }
+  CHECK(different == 0);
+}
+
 void check(const Case& c, Isa isa) {
   CAPTURE(name_of(isa));
   const TrianglePlanes planes = planes_of(c.triangle, c.triangle.colours);
   const auto row = std::make_unique<SurfaceRow>();
-  const SurfaceNeeds needs{true, true, true, true};
-  interpolate_surface_kernel(isa)({&planes, first_x, c.y, c.begin, c.end, needs, row.get()});
+  fill(c, planes, isa, *row);
   std::vector<SurfacePoint> points;
   int different = 0;
   for (std::size_t i = c.begin; i < c.end; ++i) {
@@ -112,9 +170,7 @@ void check(const Case& c, Isa isa) {
     const bool is_same =
         same3(point.position, row->position, i) && same3(point.to_viewer, row->to_viewer, i) &&
         same3(point.barycentric, row->barycentric, i) && same3(point.shading_normal, row->normal, i) &&
-        same(point.metric_depth, row->metric_depth[i]) && same(point.colour.x, row->colour[0][i]) &&
-        same(point.colour.y, row->colour[1][i]) && same(point.colour.z, row->colour[2][i]) &&
-        same(point.colour.w, row->colour[3][i]);
+        same(point.metric_depth, row->metric_depth[i]) && same_colour(point.colour, *row, i);
     different += !is_same;
   }
   CHECK(different == 0);
@@ -132,9 +188,7 @@ void check(const Case& c, Isa isa) {
     const SurfacePoint& p = points[i - c.begin];
     const glm::vec4 lit =
         blinn_phong(c.lighting, *p.material, p.position, p.shading_normal, p.to_viewer, p.colour);
-    const bool is_same = same(lit.x, row->colour[0][i]) && same(lit.y, row->colour[1][i]) &&
-                         same(lit.z, row->colour[2][i]) && same(lit.w, row->colour[3][i]);
-    different += !is_same;
+    different += !same_colour(lit, *row, i);
   }
   CHECK(different == 0);
 }
@@ -145,20 +199,27 @@ void check_random(Random& random) {
   placed[3] = glm::dvec4(random_vector(random, -1, 1), 1.0);
   scene.add(random_mesh(random), placed, scene.add_material(random_material(random)));
   const Lighting lighting = random_lighting(random);
-  for (const TestCamera& camera : random_cameras(random, viewport)) {
+  const TextureFilter filters[] = {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear,
+                                   TextureFilter::trilinear};
+  for (TestCamera camera : random_cameras(random, viewport)) {
+    camera.viewer.texture_filter = filters[random.below(4)];
     const TriangleView triangle = view_of(scene, camera);
     if (triangle.determinant == 0.0) continue;
     const auto begin = static_cast<std::size_t>(random.below(most_row_pixels));
     const std::size_t end = begin + 1 + static_cast<std::size_t>(random.below(int(most_row_pixels - begin)));
     for (const Isa isa : available_isas()) {
-      if (isa != Isa::reference) check({triangle, lighting, random.below(viewport.height), begin, end}, isa);
+      if (isa == Isa::reference) continue;
+      const Case c{triangle, lighting, random.below(viewport.height), begin, end};
+      check(c, isa);
+      check_lit_before(c, random.below(2) == 0 ? Shading::flat : Shading::gouraud, isa);
     }
   }
 }
 
 }  // namespace
 
-TEST_CASE("surfaces along a row and their light: the vector kernels give the scalar functions' bits") {
+TEST_CASE(
+    "surfaces along a row, their textures and light: the vector kernels give the scalar functions' bits") {
   Random random{31};
   for (int i = 0; i < 300; ++i) check_random(random);
 }
