@@ -64,9 +64,10 @@ HWY_INLINE Plane plane_of(const Vertex& a, const Vertex& b, const Vertex& c) {
   const Vector3 along1 = cross(d2, a.position);
   const Vector3 along2 = cross(a.position, d1);
   const Double determinant = dot(a.position, normal);
+  const Double inverse = hn::Div(hn::Set(doubles, 1.0), determinant);
   const auto component = [&](Double n, Double p, Double q) {
     const Double sum = hn::Add(hn::Add(hn::Mul(n, a.r), hn::Mul(p, r1)), hn::Mul(q, r2));
-    return hn::Div(sum, determinant);
+    return hn::Mul(sum, inverse);
   };
   return {determinant,
           {component(normal.x, along1.x, along2.x), component(normal.y, along1.y, along2.y),
@@ -103,36 +104,40 @@ HWY_INLINE void store(Double value, Mask where, float* out) {
 /// depth_plane() for vertices with w > 0. @param first  where the lanes' results begin in `out`
 HWY_INLINE void set_up_depth(const SetUpWork& work, const Vertex (&v)[3], const Plane& plane,
                              std::size_t first, PlaneArrays& out) {
-  const Double zero = hn::Zero(doubles), half = hn::Set(doubles, 0.5), one = hn::Set(doubles, 1.0),
-               two = hn::Set(doubles, 2.0);
-  const Double width = hn::Set(doubles, work.width), height = hn::Set(doubles, work.height);
+  const Double zero = hn::Zero(doubles), half = hn::Set(doubles, 0.5), one = hn::Set(doubles, 1.0);
+  const Double ndc_per_column = hn::Set(doubles, 2.0 / work.width);
+  const Double ndc_per_row = hn::Set(doubles, 2.0 / work.height);
 
-  Double nearest = hn::Div(v[0].r, v[0].position.z);
+  Double inverse_w = hn::Div(one, v[0].position.z);
+  Double nearest = hn::Mul(v[0].r, inverse_w);
   Double farthest = nearest;
-  Vector3 at = v[0].position;
+  Double at_x = v[0].position.x, at_y = v[0].position.y;  // of the farthest
   for (int i = 1; i < 3; ++i) {
-    const Double r = hn::Div(v[i].r, v[i].position.z);
+    const Double inverse = hn::Div(one, v[i].position.z);
+    const Double r = hn::Mul(v[i].r, inverse);
     const Mask is_farther = hn::Lt(r, farthest);
     farthest = hn::IfThenElse(is_farther, r, farthest);
     nearest = hn::IfThenElse(hn::Gt(r, nearest), r, nearest);
-    at.x = hn::IfThenElse(is_farther, v[i].position.x, at.x);
-    at.y = hn::IfThenElse(is_farther, v[i].position.y, at.y);
-    at.z = hn::IfThenElse(is_farther, v[i].position.z, at.z);
+    at_x = hn::IfThenElse(is_farther, v[i].position.x, at_x);
+    at_y = hn::IfThenElse(is_farther, v[i].position.y, at_y);
+    inverse_w = hn::IfThenElse(is_farther, inverse, inverse_w);
   }
   const Double upper = unit(nearest);
 
-  const Double dx = hn::Div(hn::Mul(plane.ndc.x, two), width);
-  const Double dy = hn::Div(hn::Mul(hn::Neg(plane.ndc.y), two), height);
+  const Double dx = hn::Mul(plane.ndc.x, ndc_per_column);
+  const Double dy = hn::Mul(hn::Neg(plane.ndc.y), ndc_per_row);
   const Mask is_flat = hn::Or(hn::Or(hn::Eq(plane.determinant, zero), is_steep(dx)),
                               hn::Or(is_steep(dy), is_steep(plane.ndc.z)));
   const Mask is_sloped = hn::Not(is_flat);
 
-  const Double px = hn::Mul(hn::Mul(half, width), hn::Add(hn::Div(at.x, at.z), one));
-  const Double py = hn::Mul(hn::Mul(half, height), hn::Sub(one, hn::Div(at.y, at.z)));
+  const Double half_width = hn::Set(doubles, 0.5 * work.width);
+  const Double half_height = hn::Set(doubles, 0.5 * work.height);
+  const Double px = hn::Mul(half_width, hn::Add(hn::Mul(at_x, inverse_w), one));
+  const Double py = hn::Mul(half_height, hn::Sub(one, hn::Mul(at_y, inverse_w)));
   const Double x_ref = pixel_of(px, work.width);
   const Double y_ref = pixel_of(py, work.height);
-  const Double cx = hn::Sub(hn::Div(hn::Mul(two, hn::Add(x_ref, half)), width), one);
-  const Double cy = hn::Sub(one, hn::Div(hn::Mul(two, hn::Add(y_ref, half)), height));
+  const Double cx = hn::Sub(hn::Mul(hn::Add(x_ref, half), ndc_per_column), one);
+  const Double cy = hn::Sub(one, hn::Mul(hn::Add(y_ref, half), ndc_per_row));
   const Double r_ref = hn::Add(hn::Add(hn::Mul(plane.ndc.x, cx), hn::Mul(plane.ndc.y, cy)), plane.ndc.z);
 
   const auto all = hn::Eq(zero, zero);

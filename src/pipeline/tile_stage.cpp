@@ -10,9 +10,12 @@ namespace velum {
 namespace {
 
 /// Primitives per batch: enough to amortise the sorting, few enough to stay in cache. A batch has a table of
-/// the tiles, so there are more in it where tiles are many.
+/// the tiles, so there are more in it where tiles are many; and each tile asks each batch, so there are more
+/// where primitives are many.
 constexpr std::uint32_t smallest_batch = 4096;
+constexpr std::uint32_t largest_batch = 1 << 15;
 constexpr std::uint32_t tiles_per_primitive = 4;
+constexpr std::uint32_t most_batches = 64;
 /// Primitives set up in one go, on all threads; the vertices of their instances are kept until then.
 constexpr std::uint64_t wave_size = std::uint64_t{1} << 18;
 /// Vertices beyond which no further instance joins a wave: 8 bytes each.
@@ -222,7 +225,8 @@ class TileStage {
   Counters& counters_;
   const TileGrid grid_;
   const std::uint32_t batch_size_ =
-      std::max(smallest_batch, static_cast<std::uint32_t>(grid_.count()) / tiles_per_primitive);
+      std::max(std::clamp(input_.scene.primitive_count() / most_batches, smallest_batch, largest_batch),
+               static_cast<std::uint32_t>(grid_.count()) / tiles_per_primitive);
   const TransformVertices transform_ = transform_kernel(input_.settings.isa);
   const SetUpTriangles set_up_kernel_ = set_up_kernel(input_.settings.isa);
   const TileRaster raster_ = tile_raster(input_.settings.isa);

@@ -22,7 +22,7 @@ glm::dvec3 plane_in_ndc(const std::array<glm::dvec4, 3>& v, double determinant) 
   const double r0 = v[0].w - v[0].z;
   const double r1 = (v[1].w - v[1].z) - r0;
   const double r2 = (v[2].w - v[2].z) - r0;
-  return (glm::cross(d1, d2) * r0 + glm::cross(d2, p0) * r1 + glm::cross(p0, d1) * r2) / determinant;
+  return (glm::cross(d1, d2) * r0 + glm::cross(d2, p0) * r1 + glm::cross(p0, d1) * r2) * (1.0 / determinant);
 }
 
 }  // namespace
@@ -35,8 +35,10 @@ DepthPlane depth_plane(const std::array<glm::dvec4, 3>& triangle, double determi
   plane.upper = range.all_in_front ? unit_float(range.nearest) : 1.0f;
 
   const glm::dvec3 ndc = plane_in_ndc(triangle, determinant);
-  const double dx = ndc.x * 2.0 / viewport.width;
-  const double dy = -ndc.y * 2.0 / viewport.height;
+  const double ndc_per_column = 2.0 / viewport.width;
+  const double ndc_per_row = 2.0 / viewport.height;
+  const double dx = ndc.x * ndc_per_column;
+  const double dy = -ndc.y * ndc_per_row;
   if (determinant == 0.0 || is_steep(dx) || is_steep(dy) || is_steep(ndc.z)) {
     plane.lower = plane.upper;
     plane.r_ref = plane.upper;
@@ -44,12 +46,14 @@ DepthPlane depth_plane(const std::array<glm::dvec4, 3>& triangle, double determi
   }
 
   const glm::dvec4& farthest = triangle[static_cast<std::size_t>(std::max(range.farthest_vertex, 0))];
-  const glm::dvec2 at = viewport.pixel_from_ndc(farthest.x / farthest.w, farthest.y / farthest.w);
+  const double inverse_w = 1.0 / farthest.w;
+  const glm::dvec2 at = viewport.pixel_from_ndc(farthest.x * inverse_w, farthest.y * inverse_w);
   plane.x_ref = pixel_of(at.x, viewport.width);
   plane.y_ref = pixel_of(at.y, viewport.height);
-  const glm::dvec2 centre = viewport.ndc_from_pixel(plane.x_ref + 0.5, plane.y_ref + 0.5);
+  const double x = (plane.x_ref + 0.5) * ndc_per_column - 1.0;
+  const double y = 1.0 - (plane.y_ref + 0.5) * ndc_per_row;
   // + 0 makes -0 (a triangle in the far plane may have it) +0; no later sum gives -0 then.
-  plane.r_ref = static_cast<float>(ndc.x * centre.x + ndc.y * centre.y + ndc.z) + 0.0f;
+  plane.r_ref = static_cast<float>(ndc.x * x + ndc.y * y + ndc.z) + 0.0f;
   plane.dx = static_cast<float>(dx);
   plane.dy = static_cast<float>(dy);
   return plane;

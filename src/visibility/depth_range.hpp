@@ -13,7 +13,7 @@ namespace velum {
 
 /// The reversed depth r = 1 - z of a clip-space vertex. @pre v.w ≠ 0
 inline double reversed_depth(const glm::dvec4& v) {
-  return (v.w - v.z) / v.w;
+  return (v.w - v.z) * (1.0 / v.w);
 }
 
 /// The smallest and largest reversed depth among the vertices with w > 0.
