@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../base/contract.hpp"
+#include "cache_line_allocator.hpp"
 
 namespace velum {
 
@@ -28,7 +29,7 @@ struct ImageView {
   operator ImageView<const T>() const { return {data, width, height, stride}; }
 };
 
-/// A picture that owns its pixels; rows are padded to whole multiples of 64 bytes. Row 0 is the top row.
+/// A picture that owns its pixels; rows begin at multiples of 64 bytes. Row 0 is the top row.
 template <typename T>
 class Image {
  public:
@@ -89,7 +90,7 @@ class Image {
   int width_ = 0;
   int height_ = 0;
   std::ptrdiff_t stride_ = 0;
-  std::vector<T> pixels_;
+  std::vector<T, CacheLineAllocator<T>> pixels_;
 };
 
 }  // namespace velum

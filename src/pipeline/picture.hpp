@@ -28,7 +28,7 @@ struct Picture {
 };
 
 /// Caller-owned memory for the outputs; an empty view is an output not wanted. Sizes must be those of the
-/// picture (or its crop).
+/// picture (or its crop). Rows that begin at multiples of 64 bytes, as an Image's do, are written fastest.
 struct PictureTarget {
   ImageView<Rgba8> colour{};
   ImageView<float> depth{};

@@ -19,6 +19,17 @@ TEST_CASE("rows are padded to whole multiples of 64 bytes") {
   CHECK_THROWS_AS(Image<float>(-1, 5), velum::ContractViolation);
 }
 
+TEST_CASE("rows begin at cache lines, so that kernels can write whole ones") {
+  for (int width = 1; width < 200; width += 13) {
+    const Image<float> floats(width, 3);
+    const Image<glm::vec3> vectors(width, 3);
+    for (int y = 0; y < 3; ++y) {
+      CHECK(reinterpret_cast<std::uintptr_t>(floats.row(y)) % 64 == 0);
+      CHECK(reinterpret_cast<std::uintptr_t>(vectors.row(y)) % 64 == 0);
+    }
+  }
+}
+
 TEST_CASE("a view shares the pixels; a window of it keeps the stride") {
   Image<int> image(5, 4, 7);
   image.at(2, 1) = 9;
