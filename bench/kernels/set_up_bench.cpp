@@ -54,7 +54,8 @@ void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
   SetUpWork work = work_of(subject, placed);
   work.large = out.large.data();
   work.small = out.small.data();
-  work.fragments = out.fragments.data();
+  work.small_bounds = out.small_bounds.data();
+  work.fragments = out.fragments.from(0);
   work.slow = slow.data();
   const SetUpTriangles set_up = set_up_kernel(isa);
   const auto count = static_cast<std::uint32_t>(subject.mesh.triangles.size());

@@ -11,9 +11,11 @@ namespace velum {
 template <typename T>
 class KeptArray {
  public:
-  /// Makes room for at least `count` elements; the first `kept` keep their values.
+  /// Makes room for at least `count` elements; the first `kept` keep their values. Where some are kept it
+  /// makes more, so that appending one by one copies each a few times only.
   T* make_room(std::size_t count, std::size_t kept = 0) {
     if (count > room_) {
+      if (kept > 0) count = std::max(count, room_ + room_ / 2);
       std::unique_ptr<T[]> more(new T[count]);
       std::copy_n(elements_.get(), kept, more.get());
       elements_ = std::move(more);

@@ -58,7 +58,8 @@ struct SetUpWork {
   // Out; each triangle becomes what is_small() and its box say.
   RasterTriangle* large;      ///< room for last - first
   SmallTriangle* small;       ///< room for last - first
-  RasterFragment* fragments;  ///< room for fragments_room(last - first)
+  SmallBounds* small_bounds;  ///< of `small`; room for last - first + bounds_room
+  FragmentArrays fragments;   ///< room for fragments_room(last - first)
   std::uint32_t* slow;        ///< triangles with a vertex that is not placed; room for last - first
 };
 

@@ -32,7 +32,8 @@ SetUpWork work_of(const BatchInput& input, const TriangleList& triangles, Screen
   set_culling(work, input.settings.cull, triangles.is_mirrored);
   work.large = out.large.data() + out.large_count;
   work.small = out.small.data() + out.small_count;
-  work.fragments = out.fragments.data() + out.fragment_count;
+  work.small_bounds = out.small_bounds.data() + out.small_count;
+  work.fragments = out.fragments.from(out.fragment_count);
   work.slow = scratch.slow.data();
   return work;
 }

@@ -44,12 +44,13 @@ void set_up_chunk(const SetUpWork& work, Passes& p, BoxLanes& box, SetUpResult& 
     fetch_vertices(work, p.chunk, p.small.list, p.vertices);
     set_up_depths(work, p.vertices, p.small.list.count, p.depth);
     write_small(work, p.chunk, p.small, p.depth, work.small + result.small);
+    write_bounds(work, p.small, p.depth, work.small_bounds + result.small);
     result.small += p.small.list.count;
   }
   if (p.tiny.list.count > 0) {
     fetch_vertices(work, p.chunk, p.tiny.list, p.vertices);
     set_up_depths(work, p.vertices, p.tiny.list.count, p.depth);
-    result.fragments += write_fragments(work, p.chunk, p.tiny, p.depth, work.fragments + result.fragments);
+    result.fragments += write_fragments(work, p.chunk, p.tiny, p.depth, result.fragments);
   }
 }
 

@@ -290,6 +290,23 @@ HWY_INLINE void write_small(const SetUpWork& work, const Chunk& chunk, const Sma
     for (std::size_t k = 0; k < 4; ++k) hwy::CopyBytes<16>(words[k].word + 4 * i, bytes + 16 * k);
   }
 }
+/// Writes where the listed triangles are and how near.
+HWY_INLINE void write_bounds(const SetUpWork& work, const SmallArrays& s, const PlaneArrays& depth,
+                             SmallBounds* out) {
+  const Int target = hn::Set(ints, work.target_left | work.target_top << 16);
+  // Both halves at once: what moves from the upper into the lower is masked out.
+  const Int no_stray = hn::Set(ints, 0x1FFF1FFF);
+  const auto blocks = [&](const std::int32_t* pixels) {
+    return hn::And(hn::ShiftRight<3>(hn::Sub(hn::Load(ints, pixels), target)), no_stray);
+  };
+  for (std::size_t i = 0; i < s.list.count; i += hn::Lanes(ints)) {
+    hn::StoreInterleaved3(blocks(s.left_top + i), blocks(s.right_bottom + i),
+                          hn::Load(ints, bits_of(depth.upper + i)), ints,
+                          reinterpret_cast<std::int32_t*>(out + i));
+  }
+}
+static_assert(block_size == 8 && offsetof(SmallBounds, nearest) == 8);
+
 static_assert(offsetof(SmallTriangle, step_x) == 12 && offsetof(SmallTriangle, step_y) == 18 &&
               offsetof(SmallTriangle, left) == 24 && offsetof(SmallTriangle, r_ref) == 32 &&
               offsetof(SmallTriangle, upper) == 48 && offsetof(SmallTriangle, x_ref) == 52 &&

@@ -49,12 +49,12 @@ HWY_INLINE TinyDepth tiny_depth(const PlaneArrays& depth, std::size_t i, Int lef
           hn::Load(floats, depth.upper + i)};
 }
 
-/// Appends the covered centres of the listed triangles, vector by vector.
+/// Writes the covered centres of the listed triangles, vector by vector. @param first  before them
 HWY_INLINE std::size_t write_fragments(const SetUpWork& work, const Chunk& chunk, const TinyArrays& tiny,
-                                       const PlaneArrays& depth, RasterFragment* out) {
+                                       const PlaneArrays& depth, std::size_t first) {
   HWY_ALIGN std::int32_t primitives[chunk_room];
   find_primitives(work, chunk, tiny.list, primitives);
-  std::size_t written = 0;
+  std::size_t next = first;
   for (std::size_t i = 0; i < tiny.list.count; i += hn::Lanes(ints)) {
     const Int left = hn::Load(ints, tiny.left + i), top = hn::Load(ints, tiny.top + i);
     const Int covered = hn::Load(ints, tiny.covered + i);
@@ -67,15 +67,13 @@ HWY_INLINE std::size_t write_fragments(const SetUpWork& work, const Chunk& chunk
       const Int place =
           places_of(work, hn::Add(left, hn::Set(ints, k & 1)), hn::Add(top, hn::Set(ints, k >> 1)));
       const Float r = hn::Min(hn::Max(hn::Add(d.columns[k & 1], d.rows[k >> 1]), d.lower), d.upper);
-      auto* const words = reinterpret_cast<std::int32_t*>(out + written);
-      hn::StoreInterleaved3(hn::Compress(place, which), hn::Compress(hn::BitCast(ints, r), which),
-                            hn::Compress(id, which), ints, words);
-      written += hn::CountTrue(ints, which);
+      append(place, which, reinterpret_cast<std::int32_t*>(work.fragments.place + next));
+      append(hn::BitCast(ints, r), which, work.fragments.depth + next);
+      next += append(id, which, reinterpret_cast<std::int32_t*>(work.fragments.primitive + next));
     }
   }
-  return written;
+  return next - first;
 }
-static_assert(sizeof(RasterFragment) == 3 * sizeof(std::int32_t));
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -15,13 +15,14 @@ constexpr int tile_level = 6;
 static_assert(tile_size == 1 << tile_level);
 
 /// Keeps those of the first `count` that are not hidden. @return how many
-template <typename Triangle>
-std::size_t seen_of(KeptArray<Triangle>& triangles, std::size_t count, const PolygonCulling& culling,
-                    HierarchyCounters& counters) {
+/// @param move  move(to, from) is called where one takes another's place
+template <typename Triangle, typename Move>
+std::size_t seen_of(const KeptArray<Triangle>& triangles, std::size_t count, const PolygonCulling& culling,
+                    HierarchyCounters& counters, const Move& move) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (culling.is_hidden(triangles[i], counters)) continue;
-    if (kept != i) triangles[kept] = triangles[i];
+    if (kept != i) move(kept, i);
     ++kept;
   }
   return kept;
@@ -164,8 +165,13 @@ void TiledClusters::leave_out_empty(const MeshCluster& cluster, bool is_mirrored
 
 void TiledClusters::leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const {
   const PolygonCulling culling(input_.pyramid, grid_.target, DepthFormat::reversed);
-  primitives.large_count = seen_of(primitives.large, primitives.large_count, culling, counters);
-  primitives.small_count = seen_of(primitives.small, primitives.small_count, culling, counters);
+  ScreenPrimitives& p = primitives;
+  p.large_count = seen_of(p.large, p.large_count, culling, counters,
+                          [&](std::size_t to, std::size_t from) { p.large[to] = p.large[from]; });
+  p.small_count = seen_of(p.small, p.small_count, culling, counters, [&](std::size_t to, std::size_t from) {
+    p.small[to] = p.small[from];
+    p.small_bounds[to] = p.small_bounds[from];
+  });
 }
 
 void TiledClusters::draw_tile(std::size_t index, Worker& worker) const {

@@ -42,6 +42,15 @@ struct alignas(64) SmallTriangle {
 };
 static_assert(sizeof(RasterTriangle) == 64 && sizeof(SmallTriangle) == 64);
 
+/// Where a small triangle is, and how near: what sorting it into tiles needs.
+struct SmallBounds {
+  /// The blocks (see tile_buffer.hpp) that its box meets, counted from the target's first pixel, ends
+  /// included.
+  std::uint16_t left, top, right, bottom;
+  float nearest;  ///< SmallTriangle::upper
+};
+static_assert(sizeof(SmallBounds) == 12);
+
 /// What RasterFragment::place grows by from tile to tile.
 inline constexpr std::uint32_t fragment_places = 1u << 13;
 
@@ -52,10 +61,22 @@ struct RasterFragment {
   std::uint32_t primitive;  ///< its id
 };
 
+/// The same field by field, as kernels write them.
+template <typename Word, typename SignedWord>
+struct FragmentFields {
+  Word* place;
+  SignedWord* depth;
+  Word* primitive;
+};
+using FragmentArrays = FragmentFields<std::uint32_t, std::int32_t>;
+using ConstFragmentArrays = FragmentFields<const std::uint32_t, const std::int32_t>;
+
 /// A triangle whose coordinates are this far apart, 1/256 pixel, is not small.
 inline constexpr std::int32_t small_extent = 24 * 256;
 /// A small triangle whose box holds at most this many centres on either axis becomes fragments at once.
 inline constexpr int tiny_size = 2;
+/// Kernels write bounds by whole vectors: room for as many more.
+inline constexpr std::size_t bounds_room = 16;
 /// Room for the fragments of as many triangles: kernels write them by whole vectors.
 constexpr std::size_t fragments_room(std::size_t triangles) {
   return triangles * tiny_size * tiny_size + 16;

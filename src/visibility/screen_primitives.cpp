@@ -17,9 +17,10 @@ void append_fragments(const std::array<SnappedVertex, 3>& v, const ScreenTriangl
       }
       const int pixel = tile_place((x - grid.target.left) % tile_size, (y - grid.target.top) % tile_size);
       const auto tile = static_cast<std::uint32_t>(grid.at(x, y));
-      out.fragments[out.fragment_count++] = {tile * fragment_places + static_cast<std::uint32_t>(pixel),
-                                             std::bit_cast<std::int32_t>(triangle.depth.at(x, y)),
-                                             triangle.primitive};
+      const FragmentArrays next = out.fragments.from(out.fragment_count++);
+      *next.place = tile * fragment_places + static_cast<std::uint32_t>(pixel);
+      *next.depth = std::bit_cast<std::int32_t>(triangle.depth.at(x, y));
+      *next.primitive = triangle.primitive;
     }
   }
 }
@@ -46,6 +47,12 @@ SmallTriangle small_triangle(const std::array<SnappedVertex, 3>& v, const Screen
   return out;
 }
 
+SmallBounds small_bounds(const PixelBox& box, float nearest, const Rect& target) {
+  const auto block = [](int pixel) { return static_cast<std::uint16_t>(pixel / block_size); };
+  return {block(box.left - target.left), block(box.top - target.top), block(box.right - target.left),
+          block(box.bottom - target.top), nearest};
+}
+
 RasterTriangle large_triangle(const std::array<SnappedVertex, 3>& v, const ScreenTriangle& triangle) {
   const DepthPlane& depth = triangle.depth;
   return {{v[0].x, v[1].x, v[2].x},
@@ -68,13 +75,14 @@ void ScreenPrimitives::clear() {
 }
 
 std::uint64_t ScreenPrimitives::bytes() const {
-  return large_count * sizeof(RasterTriangle) + small_count * sizeof(SmallTriangle) +
+  return large_count * sizeof(RasterTriangle) + small_count * (sizeof(SmallTriangle) + sizeof(SmallBounds)) +
          fragment_count * sizeof(RasterFragment);
 }
 
 void ScreenPrimitives::make_room(std::size_t triangles) {
   large.make_room(large_count + triangles, large_count);
   small.make_room(small_count + triangles, small_count);
+  small_bounds.make_room(small_count + triangles + bounds_room, small_count);
   fragments.make_room(fragment_count + fragments_room(triangles), fragment_count);
 }
 
@@ -111,6 +119,7 @@ bool append_triangle(const ScreenTriangle& triangle, const TileGrid& grid, Scree
   } else if (box.right - box.left < tiny_size && box.bottom - box.top < tiny_size) {
     append_fragments(v, triangle, box, grid, out);
   } else {
+    out.small_bounds[out.small_count] = small_bounds(box, triangle.depth.upper, grid.target);
     out.small[out.small_count++] = small_triangle(v, triangle, box);
   }
   out.box = united(out.box, box);

@@ -19,12 +19,33 @@ namespace velum {
 bool is_small(const std::array<SnappedVertex, 3>& v, std::int64_t area);
 inline constexpr std::int32_t turned_margin = 16;
 
+/// Fragments, field by field.
+class KeptFragments {
+ public:
+  /// Makes room for at least `count`; the first `kept` keep their values.
+  void make_room(std::size_t count, std::size_t kept) {
+    place_.make_room(count, kept);
+    depth_.make_room(count, kept);
+    primitive_.make_room(count, kept);
+  }
+  /// Those from number i on.
+  FragmentArrays from(std::size_t i) { return {place_.data() + i, depth_.data() + i, primitive_.data() + i}; }
+  ConstFragmentArrays all() const { return {place_.data(), depth_.data(), primitive_.data()}; }
+  RasterFragment operator[](std::size_t i) const { return {place_[i], depth_[i], primitive_[i]}; }
+
+ private:
+  KeptArray<std::uint32_t> place_;
+  KeptArray<std::int32_t> depth_;
+  KeptArray<std::uint32_t> primitive_;
+};
+
 /// Triangles and fragments that wait to be sorted into tiles, each kind in the order of its triangles. Kinds
 /// have their own arrays; the memory is kept.
 struct ScreenPrimitives {
   KeptArray<RasterTriangle> large;
   KeptArray<SmallTriangle> small;
-  KeptArray<RasterFragment> fragments;
+  KeptArray<SmallBounds> small_bounds;  ///< of `small`
+  KeptFragments fragments;
   std::size_t large_count = 0;
   std::size_t small_count = 0;
   std::size_t fragment_count = 0;

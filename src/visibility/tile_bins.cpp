@@ -51,21 +51,33 @@ void for_each_tile(const TileRange& range, const Visit& visit) {
   }
 }
 
-/// Of what counts in blocks.
-template <typename Box>
-TileRange tiles_of(const Box& box) {
-  return {box.left / blocks_per_tile, box.top / blocks_per_tile, box.right / blocks_per_tile,
-          box.bottom / blocks_per_tile};
+TileRange tiles_of(const SmallBounds& bounds) {
+  return {bounds.left / blocks_per_tile, bounds.top / blocks_per_tile, bounds.right / blocks_per_tile,
+          bounds.bottom / blocks_per_tile};
 }
 
-/// Those of a box's blocks that lie in a tile.
-template <typename Box>
-BlockBox blocks_in_tile(const Box& box, int column, int row) {
+/// Those of a triangle's blocks that lie in a tile, one of several that it meets.
+BlockBox blocks_in_tile(const SmallBounds& bounds, int column, int row) {
   const int x = column * blocks_per_tile, y = row * blocks_per_tile;
   const auto part = [](int block) {
     return static_cast<std::uint8_t>(std::clamp(block, 0, blocks_per_tile - 1));
   };
-  return {part(box.left - x), part(box.top - y), part(box.right - x), part(box.bottom - y)};
+  return {part(bounds.left - x), part(bounds.top - y), part(bounds.right - x), part(bounds.bottom - y)};
+}
+
+/// The same where it meets one tile only.
+BlockBox blocks_in_its_tile(const SmallBounds& bounds) {
+  const auto part = [](unsigned block) { return static_cast<std::uint8_t>(block % blocks_per_tile); };
+  return {part(bounds.left), part(bounds.top), part(bounds.right), part(bounds.bottom)};
+}
+
+/// Whether it meets one tile only.
+bool is_in_one_tile(const SmallBounds& bounds) {
+  return ((bounds.left ^ bounds.right) | (bounds.top ^ bounds.bottom)) < blocks_per_tile;
+}
+
+int tile_of(const SmallBounds& bounds, const TileGrid& grid) {
+  return bounds.top / blocks_per_tile * grid.columns + bounds.left / blocks_per_tile;
 }
 
 }  // namespace
@@ -82,7 +94,7 @@ void TileBins::count(const ScreenPrimitives& primitives, const TileGrid& grid) {
   count_large(primitives, grid, next);
   count_small(primitives, grid, next);
   for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
-    ++next[primitives.fragments[i].place / fragment_places].fragment;
+    ++next[primitives.fragments.all().place[i] / fragment_places].fragment;
   }
   for (std::size_t i = 2; i < tiles + 2; ++i) {
     first[i].large += first[i - 1].large;
@@ -106,16 +118,13 @@ void TileBins::count_large(const ScreenPrimitives& primitives, const TileGrid& g
 }
 
 void TileBins::count_small(const ScreenPrimitives& primitives, const TileGrid& grid, First* next) {
-  SmallBox* const boxes = small_boxes_.make_room(primitives.small_count);
   for (std::size_t i = 0; i < primitives.small_count; ++i) {
-    const SmallTriangle& t = primitives.small[i];
-    const auto block = [](int pixel) {
-      return static_cast<std::uint16_t>(static_cast<unsigned>(pixel) / block_size);
-    };
-    boxes[i] = {block(t.left - grid.target.left), block(t.top - grid.target.top),
-                block(t.right - grid.target.left), block(t.bottom - grid.target.top), t.upper};
-    for_each_tile(tiles_of(boxes[i]),
-                  [&](int column, int row) { ++next[row * grid.columns + column].small; });
+    const SmallBounds& bounds = primitives.small_bounds[i];
+    if (is_in_one_tile(bounds)) {
+      ++next[tile_of(bounds, grid)].small;
+      continue;
+    }
+    for_each_tile(tiles_of(bounds), [&](int column, int row) { ++next[row * grid.columns + column].small; });
   }
 }
 
@@ -139,14 +148,22 @@ void TileBins::place_large(const ScreenPrimitives& primitives, const TileGrid& g
   }
 }
 
-void TileBins::place_small(std::size_t count, const TileGrid& grid) {
+void TileBins::place_small(const ScreenPrimitives& primitives, const TileGrid& grid) {
   First* const next = first_.data() + 1 - first_tile_;
   SmallEntry* const small = small_.make_room(next[end_tile_].small);
-  for (std::size_t i = 0; i < count; ++i) {
-    const SmallBox& box = small_boxes_[i];
-    for_each_tile(tiles_of(box), [&](int column, int row) {
-      small[next[row * grid.columns + column].small++] = {static_cast<std::uint32_t>(i), box.nearest,
-                                                          blocks_in_tile(box, column, row)};
+  const SmallBounds* const bounds_of = primitives.small_bounds.data();
+  for (std::size_t i = 0; i < primitives.small_count; ++i) {
+    const SmallBounds& bounds = bounds_of[i];
+    if (is_in_one_tile(bounds)) {
+      SmallEntry& entry = small[next[tile_of(bounds, grid)].small++];
+      entry.index = static_cast<std::uint32_t>(i);
+      entry.nearest = bounds.nearest;
+      entry.blocks = blocks_in_its_tile(bounds);
+      continue;
+    }
+    for_each_tile(tiles_of(bounds), [&](int column, int row) {
+      small[next[row * grid.columns + column].small++] = {static_cast<std::uint32_t>(i), bounds.nearest,
+                                                          blocks_in_tile(bounds, column, row)};
     });
   }
 }
@@ -154,9 +171,13 @@ void TileBins::place_small(std::size_t count, const TileGrid& grid) {
 void TileBins::place_fragments(const ScreenPrimitives& primitives) {
   First* const next = first_.data() + 1 - first_tile_;
   RasterFragment* const fragments = fragments_.make_room(primitives.fragment_count);
+  const ConstFragmentArrays all = primitives.fragments.all();
   for (std::size_t i = 0; i < primitives.fragment_count; ++i) {
-    const RasterFragment& fragment = primitives.fragments[i];
-    fragments[next[fragment.place / fragment_places].fragment++] = fragment;
+    // Field by field: a fragment put together first would have to wait for its own words.
+    RasterFragment& fragment = fragments[next[all.place[i] / fragment_places].fragment++];
+    fragment.place = all.place[i];
+    fragment.depth = all.depth[i];
+    fragment.primitive = all.primitive[i];
   }
 }
 
@@ -167,7 +188,7 @@ void TileBins::sort(const ScreenPrimitives& primitives, const TileGrid& grid) {
   count(primitives, grid);
   if (end_tile_ == first_tile_) return;
   place_large(primitives, grid);
-  place_small(primitives.small_count, grid);
+  place_small(primitives, grid);
   place_fragments(primitives);
 }
 

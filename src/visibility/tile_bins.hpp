@@ -28,18 +28,11 @@ class TileBins {
     std::uint32_t large, small, fragment;
   };
 
-  /// What is needed of a small triangle: the blocks that its box meets, counted from the target's first
-  /// pixel, and its nearest depth.
-  struct SmallBox {
-    std::uint16_t left, top, right, bottom;
-    float nearest;
-  };
-
   void count(const ScreenPrimitives& primitives, const TileGrid& grid);
   void count_large(const ScreenPrimitives& primitives, const TileGrid& grid, First* next);
   void count_small(const ScreenPrimitives& primitives, const TileGrid& grid, First* next);
   void place_large(const ScreenPrimitives& primitives, const TileGrid& grid);
-  void place_small(std::size_t count, const TileGrid& grid);
+  void place_small(const ScreenPrimitives& primitives, const TileGrid& grid);
   void place_fragments(const ScreenPrimitives& primitives);
 
   const RasterTriangle* large_triangles_ = nullptr;
@@ -49,7 +42,6 @@ class TileBins {
   int end_tile_ = 0;
   bool large_are_sorted_ = true;
   KeptArray<PixelBox> large_boxes_;
-  KeptArray<SmallBox> small_boxes_;
   // All of these tile after tile.
   KeptArray<First> first_;  ///< of each of these tiles, and one more at the end
   KeptArray<LargeEntry> large_;

@@ -144,7 +144,7 @@ Expected by_the_plain_path(const Case& c) {
 }
 
 /// The kernel writes fragments by vectors, in another order.
-std::vector<std::array<std::uint32_t, 3>> sorted(const RasterFragment* fragments, std::size_t count) {
+std::vector<std::array<std::uint32_t, 3>> sorted(const KeptFragments& fragments, std::size_t count) {
   std::vector<std::array<std::uint32_t, 3>> words;
   for (std::size_t i = 0; i < count; ++i) {
     words.push_back(
@@ -190,7 +190,8 @@ void check_set_up(const Case& c, Isa isa) {
   set_culling(work, c.cull, c.mirrored);
   work.large = out.large.data();
   work.small = out.small.data();
-  work.fragments = out.fragments.data();
+  work.small_bounds = out.small_bounds.data();
+  work.fragments = out.fragments.from(0);
   work.slow = slow.data();
   Counters counters;
   const SetUpResult result = set_up_kernel(isa)(work, counters);
@@ -203,10 +204,10 @@ void check_set_up(const Case& c, Isa isa) {
   for (std::size_t i = 0; i < result.small; ++i) {
     CAPTURE(i);
     CHECK(std::memcmp(&out.small[i], &expected.primitives.small[i], small_bytes) == 0);
+    CHECK(std::memcmp(&out.small_bounds[i], &expected.primitives.small_bounds[i], sizeof(SmallBounds)) == 0);
   }
-  const bool same_fragments =
-      sorted(out.fragments.data(), result.fragments) ==
-      sorted(expected.primitives.fragments.data(), expected.primitives.fragment_count);
+  const bool same_fragments = sorted(out.fragments, result.fragments) ==
+                              sorted(expected.primitives.fragments, expected.primitives.fragment_count);
   CHECK(same_fragments);
   CHECK(std::vector(slow.begin(), slow.begin() + static_cast<std::ptrdiff_t>(result.slow)) == expected.slow);
   check_counters(counters, expected.counters);
