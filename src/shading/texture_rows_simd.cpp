@@ -191,7 +191,7 @@ void texture_row(const TexturingWork& work) {
   const RowTexture& texture = *work.texture;
   SurfaceRow& row = *work.row;
   const std::size_t lanes = hn::Lanes(doubles);
-  Lookups lookups;
+  Lookups lookups{};
   for (std::size_t i = work.begin; i < work.end; i += lanes) {
     look_up(texture, row, i, lookups);
     const std::size_t left = work.end - i, count = left < lanes ? left : lanes;
