@@ -13,6 +13,8 @@ namespace {
 
 /// Side of the rectangles that threads take, pixels.
 constexpr int block_side = 32;
+/// Rectangles between two reports of progress: threads wait for each other there.
+constexpr int blocks_at_once = 512;
 
 /// A picture's rectangles, row by row.
 struct Blocks {
@@ -81,8 +83,10 @@ void cast_packet(const RayView& view, const RayStageInput& input, const Rect& pi
   }
 }
 
-void cast_block(const RayView& view, const RayStageInput& input, const Rect& block, VisibilityBuffer& buffer,
-                CastCounters& counters) {
+/// @return what it cost; counted here, not where other threads count next to it
+CastCounters cast_block(const RayView& view, const RayStageInput& input, const Rect& block,
+                        VisibilityBuffer& buffer) {
+  CastCounters counters;
   Depths depths(view, input);
   for (int top = block.top; top < block.bottom(); top += packet_height) {
     for (int left = block.left; left < block.right(); left += packet_width) {
@@ -90,6 +94,7 @@ void cast_block(const RayView& view, const RayStageInput& input, const Rect& blo
                   counters);
     }
   }
+  return counters;
 }
 
 /// The caller's, the last frame's, or a new one.
@@ -172,12 +177,16 @@ void cast_visibility(const RayStageInput& input, const std::function<void(double
   }
   const Blocks blocks(input.rect);
   std::vector<CastCounters> of_worker(static_cast<std::size_t>(input.executor.threads()));
-  for (int row = 0; row < blocks.rows; ++row) {
-    input.executor.for_each(static_cast<std::size_t>(blocks.columns), [&](std::size_t column, int worker) {
-      cast_block(view, input, blocks.at(row, static_cast<int>(column)), buffer,
-                 of_worker[static_cast<std::size_t>(worker)]);
+  const int rows_at_once = std::max(1, blocks_at_once / std::max(1, blocks.columns));
+  for (int row = 0, next = 0; row < blocks.rows; row = next) {
+    next = std::min(blocks.rows, row + rows_at_once);
+    const auto count = static_cast<std::size_t>(next - row) * static_cast<std::size_t>(blocks.columns);
+    input.executor.for_each(count, [&](std::size_t i, int worker) {
+      const int block = static_cast<int>(i);
+      of_worker[static_cast<std::size_t>(worker)] +=
+          cast_block(view, input, blocks.at(row + block / blocks.columns, block % blocks.columns), buffer);
     });
-    progress(static_cast<double>(row + 1) / blocks.rows);
+    progress(static_cast<double>(next) / blocks.rows);
   }
   for (const CastCounters& cast : of_worker) add(cast, counters);
 }
