@@ -23,8 +23,6 @@ constexpr Ints ints;
 using Indices = hn::Rebind<std::uint16_t, Ints>;
 constexpr Indices indices;
 
-constexpr std::size_t most_lanes = 16;
-
 HWY_INLINE std::size_t lanes() {
   return hn::Lanes(ints);
 }
