@@ -64,10 +64,13 @@ HWY_INLINE Plane plane_of(const Vertex& a, const Vertex& b, const Vertex& c) {
   const Vector3 along1 = cross(d2, a.position);
   const Vector3 along2 = cross(a.position, d1);
   const Double determinant = dot(a.position, normal);
-  const Double inverse = hn::Div(hn::Set(doubles, 1.0), determinant);
+  const Double one = hn::Set(doubles, 1.0);
+  const Mask is_tiny = hn::Lt(hn::Abs(determinant), hn::Set(doubles, 0x1p-960));
+  const Double scale = hn::IfThenElse(is_tiny, hn::Set(doubles, 0x1p+300), one);
+  const Double inverse = hn::Div(one, hn::Mul(determinant, scale));
   const auto component = [&](Double n, Double p, Double q) {
     const Double sum = hn::Add(hn::Add(hn::Mul(n, a.r), hn::Mul(p, r1)), hn::Mul(q, r2));
-    return hn::Mul(sum, inverse);
+    return hn::Mul(hn::Mul(sum, scale), inverse);
   };
   return {determinant,
           {component(normal.x, along1.x, along2.x), component(normal.y, along1.y, along2.y),

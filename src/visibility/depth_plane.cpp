@@ -1,6 +1,7 @@
 #include "depth_plane.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -22,7 +23,10 @@ glm::dvec3 plane_in_ndc(const std::array<glm::dvec4, 3>& v, double determinant) 
   const double r0 = v[0].w - v[0].z;
   const double r1 = (v[1].w - v[1].z) - r0;
   const double r2 = (v[2].w - v[2].z) - r0;
-  return (glm::cross(d1, d2) * r0 + glm::cross(d2, p0) * r1 + glm::cross(p0, d1) * r2) * (1.0 / determinant);
+  // A determinant so small that its reciprocal may overflow is scaled, which is exact.
+  const double scale = std::fabs(determinant) < 0x1p-960 ? 0x1p+300 : 1.0;
+  const glm::dvec3 sum = glm::cross(d1, d2) * r0 + glm::cross(d2, p0) * r1 + glm::cross(p0, d1) * r2;
+  return sum * scale * (1.0 / (determinant * scale));
 }
 
 }  // namespace

@@ -47,6 +47,18 @@ TEST_CASE(
   CHECK(std::fabs(plane.at(100, 1) - (1e-5 + (1.0 - 1e-5) / 99.0)) < 1e-7);
 }
 
+TEST_CASE(
+    "the depth plane of a tiny determinant, whose reciprocal is infinite, is as steep as it should be") {
+  constexpr double w = 1e-104;
+  const std::array<glm::dvec4, 3> v = {clip(10.5, 10.5, 0.25, w), clip(190.5, 20.5, 0.5, w),
+                                       clip(30.5, 90.5, 0.75, w)};
+  REQUIRE(std::isinf(1.0 / homogeneous_determinant(v[0], v[1], v[2])));
+  const DepthPlane plane = plane_of(v);
+  CHECK(std::fabs(plane.at(10, 10) - 0.25) < 2e-6);
+  CHECK(std::fabs(plane.at(190, 20) - 0.5) < 2e-6);
+  CHECK(std::fabs(plane.at(30, 90) - 0.75) < 2e-6);
+}
+
 TEST_CASE("a triangle seen exactly edge-on has the depth of its nearest vertex") {
   const std::array<glm::dvec4, 3> wall{clip(50.5, 10.5, 0.2, 1.0), clip(50.5, 90.5, 0.7, 1.0),
                                        clip(50.5, 50.5, 0.4, 1.0)};
