@@ -5,6 +5,7 @@
 #include <velum/drawing/pyramid_drawing.hpp>
 #include <velum/velum.hpp>
 
+#include "blank_reason.hpp"
 #include "camera_options.hpp"
 #include "input.hpp"
 #include "outputs.hpp"
@@ -49,7 +50,8 @@ int run(const PyramidOptions& o) {
   settings.height = view.size.height;
   settings.shading = Shading::depth;
   const Camera camera = frame(scene.points(), view.projection, view.framing);
-  const Image<float> depth = reversed_depth_of(render(scene, camera, settings));
+  const Picture picture = render(scene, camera, settings);
+  const Image<float> depth = reversed_depth_of(picture);
   ZPyramid pyramid;
   pyramid.build(depth);
 
@@ -63,7 +65,10 @@ int run(const PyramidOptions& o) {
   }
   write(folder, "sheet.png", draw_pyramid_sheet(pyramid));
   if (!o.quiet) std::cout << folder.string() << ": " << levels.size() << " levels and sheet.png\n";
-  return exit_ok;
+  if (picture.coverage() > 0.0) return exit_ok;
+  std::cerr << "velum: the picture is blank: "
+            << blank_reason(picture.counters, scene.bounds(), camera, settings) << '\n';
+  return exit_blank;
 }
 
 }  // namespace

@@ -215,10 +215,26 @@ Picture picture_of(const RenderOptions& o, const Scene& scene, const Camera& cam
   return render_analytic(scene, std::array{round_shape(o.input).body}, camera, settings);
 }
 
+/// The octree's drawing is one of lines, of the whole picture.
+void check_show(const RenderOptions& o, const RenderSettings& settings) {
+  if (o.show != "octree") return;
+  const bool has_octree = settings.visibility == VisibilityMethod::zbuffer ||
+                          settings.visibility == VisibilityMethod::hierarchical;
+  if (!has_octree) {
+    throw Error(ErrorKind::usage, "octree: shows what the hierarchical method does", "--show",
+                "leave out --visibility, or give hierarchical");
+  }
+  if (settings.crop || settings.samples != 1 || settings.supersample != 1 || settings.wireframe) {
+    throw Error(ErrorKind::usage, "octree: is drawn whole and as it is", "--show",
+                "leave out --crop, --samples, --supersample and --wireframe");
+  }
+}
+
 int run(const RenderOptions& o) {
   // Everything that the command line alone decides is checked before work begins.
   const View view = view_from(o.camera);
   RenderSettings settings = settings_from(o, view.size);
+  check_show(o, settings);
   const std::vector<Output> outputs = outputs_from(o, settings);
   if (o.visibility.is_analytic) round_shape(o.input);  // refuses what has no equation
 

@@ -100,6 +100,10 @@ void VisibilityOptions::check() const {
   if (is_analytic && !casts_rays) {
     throw Error(ErrorKind::usage, "only rays ask equations", "--analytic", "add --visibility raycast");
   }
+  if (hierarchy && method_names.at(method) != VisibilityMethod::hierarchical) {
+    throw Error(ErrorKind::usage, "only the hierarchical method asks a z-pyramid", "--hierarchical",
+                "add --visibility hierarchical");
+  }
   if (!kd_file) return;
   const bool uses_trees = casts_rays && !is_analytic && accelerator == "kdtree";
   if (!uses_trees || *kd_file == "-") {
@@ -122,7 +126,7 @@ void VisibilityOptions::apply_to(RenderSettings& settings) const {
   settings.visibility = method_names.at(method);
   check();
   settings.accelerator = accelerator_map().at(accelerator);
-  settings.hierarchy.use = hierarchy_names.at(hierarchy);
+  settings.hierarchy.use = hierarchy_names.at(hierarchy.value_or("both"));
   settings.z_interpolation = z_interpolation_names.at(z_interpolation);
   settings.depth_format = depth_format_names.at(depth_format);
   clip.apply_to(settings);

@@ -22,7 +22,7 @@ void add_accelerator_option(CLI::App& parser, std::string& accelerator);
 struct VisibilityOptions {
   std::string method = "zbuffer";
   std::string accelerator = "bvh";
-  std::string hierarchy = "both";
+  std::optional<std::string> hierarchy;
   std::string z_interpolation = "plane";
   std::string depth_format = "reversed";
   std::string isa = "best";

@@ -50,14 +50,25 @@ Image<Rgba8> draw_level(const ImageView<const float>& level, int index, const Im
   return picture;
 }
 
-std::string title_of(const ImageView<const float>& level, int index) {
-  int useful = 0;
+/// The share of the picture, in percent, behind which something can be hidden by the level. Cells at the
+/// right and at the bottom stand for fewer pixels.
+int useful_share(const ImageView<const float>& level, int index, const ImageView<const float>& base) {
+  const auto extent = [index](int cell, int size) {
+    return std::min((cell + 1) << index, size) - (cell << index);
+  };
+  long long useful = 0;
   for (int y = 0; y < level.height; ++y) {
-    for (int x = 0; x < level.width; ++x) useful += level.at(x, y) > 0.0f ? 1 : 0;
+    const long long rows = extent(y, base.height);
+    for (int x = 0; x < level.width; ++x) useful += level.at(x, y) > 0.0f ? rows * extent(x, base.width) : 0;
   }
-  const int share = static_cast<int>(100LL * useful / (static_cast<long long>(level.width) * level.height));
+  return static_cast<int>(100 * useful / (static_cast<long long>(base.width) * base.height));
+}
+
+std::string title_of(const ZPyramid& pyramid, int index) {
+  const ImageView<const float> level = pyramid.level(index);
   return "level " + std::to_string(index) + ": " + std::to_string(level.width) + "x" +
-         std::to_string(level.height) + ", " + std::to_string(share) + " % can hide";
+         std::to_string(level.height) + ", " + std::to_string(useful_share(level, index, pyramid.level(0))) +
+         " % can hide";
 }
 
 void paste(const Image<Rgba8>& picture, int left, int top, int step, Canvas& canvas) {
@@ -92,7 +103,7 @@ Image<Rgba8> draw_pyramid_sheet(const ZPyramid& pyramid, int columns) {
   for (int i = 0; i < static_cast<int>(levels.size()); ++i) {
     const int left = gap + i % columns * (width + gap);
     const int top = gap + i / columns * (height + title_height + gap);
-    canvas.text({left, top}, title_of(pyramid.level(i), i), 1, ink);
+    canvas.text({left, top}, title_of(pyramid, i), 1, ink);
     paste(levels[static_cast<std::size_t>(i)], left, top + title_height, step, canvas);
   }
   return canvas.picture();
