@@ -35,8 +35,9 @@ constexpr std::size_t packed_room(std::size_t vertex_count) {
 }
 
 /// Copies those that may cover a pixel centre, in their order, and counts the others, as the stages would but
-/// for their facing, which is that of the snapped corners. Nothing is left out where a vertex has no place on
-/// the picture, or where they are more than 65536 or 125 pixels or more apart.
+/// for their facing, which is that of the snapped corners: none counts as edge-on or reversed. Nothing is
+/// left out where a vertex has no place on the picture, or where they are more than 65536 or 125 pixels or
+/// more apart.
 /// @return how many are left
 using LeaveOutEmpty = std::uint32_t (*)(const EmptyTrianglesWork& work, Counters& counters);
 

@@ -235,11 +235,11 @@ std::vector<Mode> machine_modes() {
   std::vector<Mode> modes;
   for (const Isa isa : available_isas()) {
     for (const int threads : {1, 2, 7}) {
-      modes.push_back({std::string("zbuffer, ") + name_of(isa) + ", " + std::to_string(threads) + " threads",
-                       VisibilityMethod::zbuffer, isa, threads});
+      const std::string machine = std::string(name_of(isa)) + ", " + std::to_string(threads) + " threads";
+      modes.push_back({"zbuffer, " + machine, VisibilityMethod::zbuffer, isa, threads});
+      modes.push_back({"scanline, " + machine, VisibilityMethod::scanline, isa, threads});
+      modes.push_back({"hierarchical, " + machine, VisibilityMethod::hierarchical, isa, threads});
     }
-    modes.push_back({std::string("hierarchical, ") + name_of(isa) + ", 7 threads",
-                     VisibilityMethod::hierarchical, isa, 7});
   }
   return modes;
 }
