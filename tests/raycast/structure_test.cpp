@@ -142,6 +142,19 @@ TEST_CASE("nested grids help where a ball lies in a stadium") {
   CHECK(tests({1.0, 3, 16}) * 10 < tests({3.0, 1, 16}));
 }
 
+TEST_CASE("memory of grids grows with the number of triangles, also where all are as large as the grid") {
+  for (const std::size_t n : {1, 1000}) {
+    RandomTriangles triangles;
+    for (std::size_t i = 0; i < n; ++i) triangles.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0.3f});
+    for (const GridSettings& settings : {GridSettings{}, GridSettings{1.0, 3, 16}}) {
+      const Grid grid(triangles.set(), settings);
+      CHECK(grid.memory() <= 4096 + 4 * 4 * (32 * n + 1024) + 4 * 8 * (32 * n + 1024));
+      CastCounters counters;
+      CHECK(grid.first_hit({{0.3, 0.4, 5}, {0, 0, -1}}, {0.0, 100.0}, counters).triangle == 0);
+    }
+  }
+}
+
 TEST_CASE("a point of a bsp tree is found in one cell, the same all over the cell") {
   RandomTriangles cube;  // the three planes through 0 give eight cells
   for (int axis = 0; axis < 3; ++axis) {

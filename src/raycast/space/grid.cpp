@@ -19,6 +19,13 @@ double cube_root(double n) {
   return root;
 }
 
+/// The most references, and the most cells, of all levels of a nested grid together, times those of the
+/// outermost.
+constexpr double most_for_all_levels = 4.0;
+
+/// What fits into the numbers of a cell, with a bit to spare.
+constexpr double most_numbers = 0x1.0p31;
+
 /// How many cells along each axis: they are about cubes, cells_per_side·∛n along the side of a cube of the
 /// same volume.
 glm::ivec3 cell_counts(const glm::dvec3& size, std::size_t n, double cells_per_side) {
@@ -47,7 +54,14 @@ Grid::Grid(const TriangleSet& triangles, const GridSettings& settings) : Acceler
   for (const BoxedItem& item : items) all_.push_back(item.id);
   const glm::dvec3 size = bounds().size();
   pad_ = 0x1.0p-24 * std::max({size.x, size.y, size.z});
-  add_level(level_over(items, bounds(), settings), items, settings, settings.levels);
+  Level level = level_over(items, bounds(), settings);
+  coarsen(level, items, settings);
+  add_level(level, items, settings, settings.levels);
+}
+
+/// How many references n triangles may have, by the settings: a small grid has a few more.
+double Grid::room(double n, const GridSettings& settings) {
+  return std::min(settings.most_references * n + 1024.0, most_numbers);
 }
 
 std::size_t Grid::memory() const {
@@ -112,17 +126,39 @@ Grid::Level Grid::level_over(const std::vector<BoxedItem>& items, const Aabb& ce
   return level;
 }
 
-/// Whether items lie in few cells each: a grid over triangles that are as large as it is has no use.
-bool Grid::is_worth_it(const Level& level, const std::vector<BoxedItem>& items) const {
-  constexpr std::size_t most_cells_per_item = 8;
-  std::size_t references = 0;
+/// How many references to items a level would hold. No more than 2³⁰ cells for each of 2³² items: 64 bits do.
+std::uint64_t Grid::references(const Level& level, const std::vector<BoxedItem>& items) const {
+  std::uint64_t count = 0;
   for (const BoxedItem& item : items) {
     const CellRange range = range_of(level, item.box);
-    const glm::ivec3 count = range.last - range.first + 1;
-    references += static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
-                  static_cast<std::size_t>(count.z);
+    const glm::ivec3 cells = range.last - range.first + 1;
+    count += static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) *
+             static_cast<std::uint64_t>(cells.z);
   }
-  return references <= most_cells_per_item * items.size();
+  return count;
+}
+
+/// Makes cells larger until there is room for the references to items. Where many triangles are as large as
+/// the grid, each lies in most cells, and memory would grow with the square of their number.
+void Grid::coarsen(Level& level, const std::vector<BoxedItem>& items, const GridSettings& settings) const {
+  const double most = room(static_cast<double>(items.size()), settings);
+  while (level.cells != glm::ivec3(1) && static_cast<double>(references(level, items)) > most) {
+    level.cells = glm::max(glm::ivec3(glm::dvec3(level.cells) * 0.8), glm::ivec3(1));
+    level.cell_size = (level.upper - level.lower) / glm::dvec3(level.cells);
+  }
+}
+
+/// Whether items lie in few cells each, and there is room for them: a grid over triangles that are as large
+/// as it is has no use.
+bool Grid::is_worth_it(const Level& level, const std::vector<BoxedItem>& items,
+                       const GridSettings& settings) const {
+  constexpr std::size_t most_cells_per_item = 8;
+  const std::uint64_t count = references(level, items);
+  if (count > most_cells_per_item * items.size()) return false;
+  const double most = most_for_all_levels * room(static_cast<double>(all_.size()), settings);
+  const double cells = static_cast<double>(level.cells.x) * level.cells.y * level.cells.z;
+  return static_cast<double>(ids_.size() + count) <= std::min(most, most_numbers) &&
+         static_cast<double>(cells_.size()) + cells <= most;
 }
 
 void Grid::nest(const Level& level, const std::vector<BoxedItem>& items, const GridSettings& settings,
@@ -136,7 +172,7 @@ void Grid::nest(const Level& level, const std::vector<BoxedItem>& items, const G
         const std::vector<BoxedItem> inside = items_in(cells_[index], items);
         const glm::dvec3 lower(level.plane(0, c.x), level.plane(1, c.y), level.plane(2, c.z));
         const Level child = level_over(inside, {lower, lower + level.cell_size}, settings);
-        if (!is_worth_it(child, inside)) continue;
+        if (!is_worth_it(child, inside, settings)) continue;
         const std::uint32_t added = add_level(child, inside, settings, levels - 1);
         cells_[index] = {added, Cell::is_level};
       }

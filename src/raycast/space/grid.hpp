@@ -10,6 +10,9 @@ struct GridSettings {
   double cells_per_side = 3.0;  ///< times ∛n along a cube's side, the lecture's rule
   int levels = 1;               ///< grids inside crowded cells, so many deep
   std::uint32_t crowded = 16;   ///< a cell with more triangles is given a grid of its own, where levels allow
+  /// Cells are made larger until there are at most so many references from cells to triangles for each
+  /// triangle, and 1024 more. Grids inside cells may have three times as many again.
+  double most_references = 32.0;
 };
 
 /// Equal cells over the bounds; in each a list of the triangles whose boxes it meets. With several levels,
@@ -53,7 +56,11 @@ class Grid final : public Accelerator {
 
   /// A grid for items in a cell, over the part of the cell that they take up.
   Level level_over(const std::vector<BoxedItem>& items, const Aabb& cell, const GridSettings& settings) const;
-  bool is_worth_it(const Level& level, const std::vector<BoxedItem>& items) const;
+  static double room(double n, const GridSettings& settings);
+  std::uint64_t references(const Level& level, const std::vector<BoxedItem>& items) const;
+  void coarsen(Level& level, const std::vector<BoxedItem>& items, const GridSettings& settings) const;
+  bool is_worth_it(const Level& level, const std::vector<BoxedItem>& items,
+                   const GridSettings& settings) const;
   std::uint32_t add_level(Level level, const std::vector<BoxedItem>& items, const GridSettings& settings,
                           int levels);
   void fill(const Level& level, const std::vector<BoxedItem>& items);
