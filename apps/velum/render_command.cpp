@@ -201,11 +201,30 @@ void print_summary(const std::vector<Output>& outputs, const Picture& picture, c
       << ", " << percent_text(picture.coverage()) << " covered\n";
 }
 
-/// What happened to the triangles; what the hierarchical method left out is looked at after all.
-Counters fates(const Scene& scene, const Camera& camera, RenderSettings settings, const Picture& picture) {
-  if (settings.visibility != VisibilityMethod::hierarchical) return picture.counters;
+/// Samples may colour pixels whose centres nothing covers.
+bool is_blank(const Picture& picture, const Rgba8& background) {
+  if (picture.coverage() > 0.0) return false;
+  for (int y = 0; y < picture.colour.height(); ++y) {
+    for (int x = 0; x < picture.colour.width(); ++x) {
+      if (picture.colour.at(x, y) != background) return false;
+    }
+  }
+  return true;
+}
+
+/// Why nothing is to be seen. What the hierarchical method left out and what rays went by is looked at after
+/// all, by the z-buffer.
+std::string reason_for(const Scene& scene, const Camera& camera, RenderSettings settings,
+                       const Picture& picture) {
+  const VisibilityMethod method = settings.visibility;
+  if (method != VisibilityMethod::hierarchical && method != VisibilityMethod::raycast) {
+    return blank_reason(picture.counters, scene.bounds(), camera, settings);
+  }
   settings.visibility = VisibilityMethod::zbuffer;
-  return render(scene, camera, settings).counters;
+  settings.progress = nullptr;
+  const Picture by_raster = render(scene, camera, settings);
+  if (!is_blank(by_raster, settings.background)) return "no ray met a surface";
+  return blank_reason(by_raster.counters, scene.bounds(), camera, settings);
 }
 
 Picture picture_of(const RenderOptions& o, const Scene& scene, const Camera& camera,
@@ -240,7 +259,6 @@ int run(const RenderOptions& o) {
 
   Scene scene = read_scene(o.input);
   scene.up = view.up_axis();
-  const Aabb bounds = scene.bounds();
   const Camera camera = frame(scene.points(), view.projection, view.framing);
   o.visibility.prepare_trees(scene, settings);
   const Picture picture = picture_of(o, scene, camera, settings);
@@ -250,9 +268,8 @@ int run(const RenderOptions& o) {
     for (const std::string& note : scene.notes) std::cerr << "velum: note: " << note << '\n';
     print_summary(outputs, picture, view.projection, o.visibility.is_analytic);
   }
-  if (picture.coverage() > 0.0) return exit_ok;
-  std::cerr << "velum: the picture is blank: "
-            << blank_reason(fates(scene, camera, settings, picture), bounds, camera, settings) << '\n';
+  if (!is_blank(picture, settings.background)) return exit_ok;
+  std::cerr << "velum: the picture is blank: " << reason_for(scene, camera, settings, picture) << '\n';
   return exit_blank;
 }
 

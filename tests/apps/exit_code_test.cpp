@@ -160,6 +160,35 @@ TEST_CASE("other blank pictures say why, too") {
   CHECK(contains(reason("--crop 0,0,2,2"), "--crop"));
 }
 
+TEST_CASE("a picture is blank for the same reason whatever the method") {
+  const Workplace place;
+  place.write("back.obj", "v 0 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n");
+  place.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  const auto reason = [&place](const std::string& options) {
+    const Outcome outcome = place.velum("render " + options + " --size 40x30 --quiet -o blank.png");
+    CHECK(outcome.code == 1);
+    return outcome.err;
+  };
+  const std::string straight = " --eye 0,0,5 --target 0,0,0 --fov 40 --near 1 --far 9";
+  for (const std::string scene : {"builtin:cube --crop 0,0,2,2", "back.obj --cull back", "line.obj"}) {
+    CAPTURE(scene);
+    const std::string expected = reason(scene + straight);
+    for (const char* method :
+         {" --visibility raycast", " --visibility scanline", " --visibility hierarchical"}) {
+      CHECK(reason(scene + straight + method) == expected);
+    }
+  }
+}
+
+TEST_CASE("a picture is not blank where samples colour a pixel beside its centre") {
+  const Workplace place;
+  place.write("corner.obj", "v 0 0 0\nv 0.8 0 0\nv 0 0.8 0\nf 1 2 3\n");
+  const std::string render =
+      "render corner.obj --size 2x2 --quiet --eye 0,0,5 --target 0,0,0 --fov 40 --near 1 --far 9 --samples ";
+  CHECK(place.velum(render + "1").code == 1);
+  CHECK(place.velum(render + "16").code == 0);
+}
+
 TEST_CASE("no arguments show the help and end with 2; --help and --version end with 0") {
   const Workplace place;
   CHECK(place.velum("").code == 2);
