@@ -141,6 +141,7 @@ int run(const AgreeOptions& o) {
   std::vector<Output> outputs;
   if (o.map) outputs.push_back({OutputKind::colour, "-o", *o.map});
   check_outputs(outputs);
+  check_json_is_alone(outputs, o.json);
   Scene scene = read_scene(o.input);
   scene.up = view.up_axis();
   const Camera camera = frame(scene.points(), view.projection, view.framing);
@@ -164,14 +165,20 @@ Verb add_agree(CLI::App& program) {
   CLI::App* parser = program.add_subcommand("agree", "Compare the raster with ray casting, pixel by pixel");
   const auto options = std::make_shared<AgreeOptions>();
   parser->add_option("IN", options->input, input_help)->required()->type_name("");
-  parser->add_option("-o,--output", options->map, "Draw a map of the differences: PNG or PPM")
-      ->type_name("FILE");
+  CLI::Option* const map =
+      parser->add_option("-o,--output", options->map, "Draw a map of the differences: PNG or PPM")
+          ->type_name("FILE");
   parser->add_flag("--json", options->json, "Print JSON");
-  parser->add_flag("--analytic", options->analytic,
-                   "Compare object ids with the shape's equation instead: sphere, icosphere, cylinder");
-  add_accelerator_option(*parser, options->accelerator);
-  parser->add_option("--cull", options->cull, "Triangles left out by the way they face (default: none)")
-      ->check(CLI::IsMember(&cull_names));
+  CLI::Option* const accelerator = add_accelerator_option(*parser, options->accelerator);
+  CLI::Option* const cull =
+      parser->add_option("--cull", options->cull, "Triangles left out by the way they face (default: none)")
+          ->check(CLI::IsMember(&cull_names));
+  parser
+      ->add_flag("--analytic", options->analytic,
+                 "Compare object ids with the shape's equation instead: sphere, icosphere, cylinder")
+      ->excludes(map)
+      ->excludes(accelerator)
+      ->excludes(cull);
   parser->add_option("--threads", options->threads, "How many threads (default: 0, all)")
       ->check(CLI::Range(0, most_threads))
       ->type_name("N");

@@ -148,6 +148,14 @@ void check_outputs(const std::vector<Output>& outputs) {
   for (const Output& output : outputs) check_folder(output);
 }
 
+void check_json_is_alone(const std::vector<Output>& outputs, bool prints_json) {
+  for (const Output& output : outputs) {
+    if (!prints_json || output.path != "-") continue;
+    throw Error(ErrorKind::usage, "the JSON goes to standard output", output.option,
+                "give the name of a file, or leave --json out");
+  }
+}
+
 void check_png_sizes(const std::vector<Output>& outputs, const Size& size, bool opaque) {
   for (const Output& output : outputs) check_png_size_of(output, size, opaque);
 }

@@ -23,6 +23,9 @@ struct Output {
 /// @throws velum::Error (usage) naming option and known extensions; (write) for a missing folder
 void check_outputs(const std::vector<Output>& outputs);
 
+/// Demands that no output goes to standard output where JSON does. @throws velum::Error (usage)
+void check_json_is_alone(const std::vector<Output>& outputs, bool prints_json);
+
 /// Demands, before any work begins, that those outputs that are PNGs can hold a picture of so many pixels.
 /// @param opaque  whether the picture has a background that nothing shines through
 /// @throws velum::Error (usage) naming the PNG

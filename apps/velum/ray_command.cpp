@@ -172,6 +172,7 @@ int run(const RayOptions& o) {
   const std::vector<Output> outputs =
       o.output.empty() ? std::vector<Output>{} : std::vector<Output>{{OutputKind::colour, "-o", o.output}};
   check_outputs(outputs);
+  check_json_is_alone(outputs, o.json);
   const Pixel at = pixel_from(o.pixel, "--pixel");
   RenderSettings settings;
   VisibilityOptions visibility;
@@ -184,6 +185,7 @@ int run(const RayOptions& o) {
   const Camera camera = frame(scene.points(), view.projection, view.framing);
   const RayExplanation ray = explain_ray(scene, camera, settings, at.x, at.y);
   for (const Output& output : outputs) write_drawing(output, draw_ray(scene, ray, drawing));
+  if (o.output == "-") return exit_ok;
   if (o.json) {
     std::cout << json_text(json_of(o, ray));
   } else {

@@ -129,6 +129,25 @@ void add_output_options(CLI::App& parser, RenderOptions& o) {
   parser.add_flag("--quiet", o.quiet, "Say nothing but errors")->group("Output");
 }
 
+/// The trees of --kd-file need a place of their own, too.
+void check_kd_file(const RenderOptions& o, const std::vector<Output>& outputs) {
+  if (!o.visibility.kd_file) return;
+  const auto trees = std::filesystem::path(*o.visibility.kd_file).lexically_normal();
+  for (const Output& output : outputs) {
+    if (output.path.lexically_normal() != trees) continue;
+    throw Error(ErrorKind::usage, "\"" + *o.visibility.kd_file + "\" is also the output of " + output.option,
+                "--kd-file", "give the trees a file of their own");
+  }
+}
+
+/// What a body seen by its equation has not.
+void exclude_from_analytic(CLI::App& parser) {
+  CLI::Option* const analytic = parser.get_option("--analytic");
+  for (const char* name : {"--show", "--layers", "--triangle-ids"}) {
+    parser.get_option(name)->excludes(analytic);
+  }
+}
+
 std::vector<Output> outputs_from(const RenderOptions& o, const RenderSettings& settings) {
   std::vector<Output> outputs;
   outputs.push_back({OutputKind::colour, "-o", o.picture ? *o.picture : stem_of(o.input) + ".png"});
@@ -143,6 +162,7 @@ std::vector<Output> outputs_from(const RenderOptions& o, const RenderSettings& s
   add(o.report, OutputKind::report, "--report");
   const Rect part = settings.crop.value_or(Rect{0, 0, settings.width, settings.height});
   check_outputs(outputs);
+  check_kd_file(o, outputs);
   check_png_sizes(outputs, {part.width, part.height}, settings.background.a == 255);
   return outputs;
 }
@@ -282,6 +302,7 @@ Verb add_render(CLI::App& program) {
   add_output_options(*parser, *options);
   options->camera.add_to(*parser);
   add_picture_options(*parser, *options);
+  exclude_from_analytic(*parser);
   parser->footer(examples);
   return {parser, [options] { return run(*options); }};
 }

@@ -52,8 +52,8 @@ void ClipOption::apply_to(RenderSettings& settings) const {
   settings.clip = clip_names.at(policy);
 }
 
-void add_accelerator_option(CLI::App& parser, std::string& accelerator) {
-  parser
+CLI::Option* add_accelerator_option(CLI::App& parser, std::string& accelerator) {
+  return parser
       .add_option("--accelerator", accelerator,
                   "What rays find triangles with; the answer is the same (default: bvh)")
       ->check(CLI::IsMember(accelerator_map()));
@@ -65,15 +65,17 @@ void VisibilityOptions::add_to(CLI::App& parser) {
                   "How visibility is found: zbuffer (default), scanline and hierarchical give\n"
                   "the same picture, raycast the same but for pixels that velum agree explains")
       ->check(CLI::IsMember(&method_names));
-  add_accelerator_option(parser, accelerator);
+  CLI::Option* const structure = add_accelerator_option(parser, accelerator);
+  accelerator_option_ = structure;
   parser
       .add_option(
           "--kd-file", kd_file,
           "With --accelerator kdtree: read the trees from FILE; where there is none, build and write it")
       ->type_name("FILE");
-  parser.add_flag(
+  CLI::Option* const analytic = parser.add_flag(
       "--analytic", is_analytic,
       "With raycast: see builtin:sphere, icosphere or cylinder by its equation, not its triangles");
+  analytic->excludes(structure);
   parser
       .add_option("--hierarchical", hierarchy,
                   "With hierarchical: what the z-pyramid is asked about: octree, polygons, or both (default)")
@@ -81,11 +83,13 @@ void VisibilityOptions::add_to(CLI::App& parser) {
   parser
       .add_option("--z-interpolation", z_interpolation,
                   "For teaching, with scanline: depth from the plane (default), edges, or incremental")
-      ->check(CLI::IsMember(&z_interpolation_names));
+      ->check(CLI::IsMember(&z_interpolation_names))
+      ->excludes(analytic);
   parser
       .add_option("--depth-format", depth_format,
                   "For teaching: reversed (default), float, or that many bits: 24, 16, 8")
-      ->check(CLI::IsMember(&depth_format_names));
+      ->check(CLI::IsMember(&depth_format_names))
+      ->excludes(analytic);
   clip.add_to(parser);
   parser.add_option("--threads", threads, "How many threads; the bytes are the same (default: 0, all)")
       ->check(CLI::Range(0, most_threads))
@@ -103,6 +107,10 @@ void VisibilityOptions::check() const {
   if (hierarchy && method_names.at(method) != VisibilityMethod::hierarchical) {
     throw Error(ErrorKind::usage, "only the hierarchical method asks a z-pyramid", "--hierarchical",
                 "add --visibility hierarchical");
+  }
+  const bool is_chosen = accelerator_option_ != nullptr && accelerator_option_->count() > 0;
+  if (is_chosen && !casts_rays) {
+    throw Error(ErrorKind::usage, "only rays are helped by it", "--accelerator", "add --visibility raycast");
   }
   if (!kd_file) return;
   const bool uses_trees = casts_rays && !is_analytic && accelerator == "kdtree";

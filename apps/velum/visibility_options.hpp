@@ -16,7 +16,7 @@ struct ClipOption {
 };
 
 /// `--accelerator` alone. @param accelerator  as given
-void add_accelerator_option(CLI::App& parser, std::string& accelerator);
+CLI::Option* add_accelerator_option(CLI::App& parser, std::string& accelerator);
 
 /// `--visibility` and what tells how it works, as given.
 struct VisibilityOptions {
@@ -31,6 +31,7 @@ struct VisibilityOptions {
   bool is_analytic = false;            ///< --analytic: bodies by their equations
   std::optional<std::string> kd_file;  ///< --kd-file
 
+  /// @pre called for one parser, which lives as long
   void add_to(CLI::App& parser);
   /// @throws velum::Error (usage) for what does not go together
   void apply_to(velum::RenderSettings& settings) const;
@@ -40,6 +41,8 @@ struct VisibilityOptions {
 
  private:
   void check() const;
+
+  const CLI::Option* accelerator_option_ = nullptr;
 };
 
 }  // namespace velum_app

@@ -41,6 +41,25 @@ TEST_CASE("a projection's parameter that is no number ends with 2") {
   check_refused("render builtin:cube --projection fisheye", 2, "fisheye");
 }
 
+TEST_CASE("options that would be ignored end with 2") {
+  const std::string equation = "render builtin:sphere --visibility raycast --analytic ";
+  check_refused("render builtin:cube --accelerator grid", 2, "--accelerator");
+  check_refused(equation + "--accelerator grid", 2, "--accelerator");
+  check_refused(equation + "--depth-format 16", 2, "--depth-format");
+  check_refused(equation + "--z-interpolation edges", 2, "--z-interpolation");
+  check_refused(equation + "--show octree", 2, "--show");
+  check_refused(equation + "--layers 2", 2, "--layers");
+  check_refused(equation + "--triangle-ids ids.npy", 2, "--triangle-ids");
+  check_refused("agree builtin:sphere --analytic -o map.png", 2, "--output");
+  check_refused("agree builtin:sphere --analytic --accelerator grid", 2, "--accelerator");
+  check_refused("agree builtin:sphere --analytic --cull back", 2, "--cull");
+  check_refused("agree builtin:sphere --json -o -", 2, "--json");
+  check_refused("ray builtin:sphere --pixel 4,4 --json -o -", 2, "--json");
+  const std::string trees = "render builtin:cube --visibility raycast --accelerator kdtree --kd-file ";
+  check_refused(trees + "a.npy --depth ./a.npy", 2, "--kd-file");
+  check_refused(trees + "cube.png", 2, "--kd-file");
+}
+
 TEST_CASE("options that cannot be used end with 2 and say which") {
   check_refused("render", 2, "IN");
   check_refused("render builtin:cube --size 0x10", 2, "--size");
