@@ -32,10 +32,10 @@ struct RayOptions {
 };
 
 constexpr const char* footer =
-    "t runs from 0 on the near plane to 1 on the far plane. --traversal lists the boxes of the bounding\n"
-    "volume hierarchies in the order in which they are looked at: first that over the instances, in world\n"
-    "space, then that of each instance, in its object space; indented by level, with the number of the "
-    "step.\n"
+    "t runs from 0 on the near plane to 1 on the far plane. --traversal lists the boxes of the binary\n"
+    "hierarchies, whatever the accelerator, in the order in which they are looked at: first that over the\n"
+    "instances, in world space, then that of each instance, in its object space; indented by level, with\n"
+    "the number of the step.\n"
     "-o draws the same from the side, in panels that go deeper and deeper.\n"
     "Examples:\n"
     "  velum ray builtin:house --pixel 400,300\n"
@@ -97,6 +97,14 @@ void print_steps(const std::vector<RayStep>& steps, int depth) {
   }
 }
 
+/// The tree that steps are of, whatever the accelerator.
+constexpr const char* walked_tree = "binary-bvh";
+
+std::string whose_steps(const RayOptions& o) {
+  const std::string walked = std::string(" of the binary hierarchy (") + walked_tree;
+  return walked + (o.accelerator == walked_tree ? ")" : "; the counts above are of " + o.accelerator + ")");
+}
+
 void print_text(const RayOptions& o, const RayExplanation& ray) {
   std::cout << "The ray through pixel " << ray.x << ',' << ray.y << " of " << o.input << '\n'
             << "  from " << point_text(ray.ray.ray.origin) << " along " << point_text(ray.ray.ray.direction)
@@ -113,7 +121,7 @@ void print_text(const RayOptions& o, const RayExplanation& ray) {
               << point_text(ray.ray.ray.at(hit.t)) << '\n';
   }
   if (!o.traversal) return;
-  std::cout << "The way through the boxes:\n";
+  std::cout << "The way through the boxes" << whose_steps(o) << ":\n";
   print_steps(ray.traversal, depth_of(o));
 }
 
@@ -157,6 +165,7 @@ Json json_of(const RayOptions& o, const RayExplanation& ray) {
             {"hits", Json::array()}};
   for (const SceneHit& hit : ray.hits) json["hits"].push_back(json_of(hit, ray.ray.ray));
   if (!o.traversal) return json;
+  json["traversal_of"] = walked_tree;
   json["traversal"] = Json::array();
   for (std::size_t i = 0; i < ray.traversal.size(); ++i) {
     const RayStep& step = ray.traversal[i];

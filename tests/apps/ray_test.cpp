@@ -33,6 +33,17 @@ TEST_CASE("velum ray --traversal gives each step a number and a reason") {
   CHECK(contains(text, "left out: entered after the nearest hit"));
 }
 
+TEST_CASE("velum ray --traversal says which tree its steps are of") {
+  const Workplace place;
+  CHECK(contains(place.velum(torus + "--traversal --accelerator grid").out,
+                 "of the binary hierarchy (binary-bvh; the counts above are of grid):"));
+  const std::string own = place.velum(torus + "--traversal --accelerator binary-bvh").out;
+  CHECK(contains(own, "of the binary hierarchy (binary-bvh):"));
+  const json told = json::parse(place.velum(torus + "--traversal --json --accelerator grid").out);
+  CHECK(told["accelerator"] == "grid");
+  CHECK(told["traversal_of"] == "binary-bvh");
+}
+
 TEST_CASE("velum ray --json tells the same, and why a box is missed can be checked") {
   const Workplace place;
   const json told = json::parse(place.velum(torus + "--traversal --json").out);
