@@ -106,8 +106,8 @@ Claim claim_number_of_rays(const std::vector<Subject>& subjects, const Effort& e
   }
   claim.figures.push_back(svg_of(plot));
   claim.verdict = most_share <= 1.0 ? Verdict::holds : Verdict::does_not_hold;
-  claim.reason = "At most " + fixed(100.0 * most_share, 0) + " % of the bound, and at depth " +
-                 std::to_string(most_depth) + " at most " + fixed(100.0 * deepest_share, 0) +
+  claim.reason = "At most " + fixed_up(100.0 * most_share, 0) + " % of the bound, and at depth " +
+                 std::to_string(most_depth) + " at most " + fixed_up(100.0 * deepest_share, 0) +
                  " %: rays that leave the scene end the doubling.";
   return claim;
 }

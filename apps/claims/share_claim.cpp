@@ -95,9 +95,9 @@ Claim claim_share_of_intersection(const std::vector<Subject>& subjects, const Ef
   claim.verdict = least_brute < 0.9 ? Verdict::does_not_hold
                   : least_bvh < 0.9 ? Verdict::in_part
                                     : Verdict::holds;
-  claim.reason = "Without a structure at least " + fixed(100.0 * least_brute, 0) +
-                 " %; with a bounding volume hierarchy " + fixed(100.0 * least_bvh, 0) + " … " +
-                 fixed(100.0 * most_bvh, 0) +
+  claim.reason = "Without a structure at least " + fixed_down(100.0 * least_brute, 1) +
+                 " %; with a bounding volume hierarchy " +
+                 fixed_range(100.0 * least_bvh, 100.0 * most_bvh, 1) +
                  " %: the fewer intersections are left, the more the rest counts.";
   return claim;
 }

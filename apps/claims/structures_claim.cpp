@@ -62,7 +62,7 @@ Claim claim_structures(const std::vector<Subject>& subjects, const Effort& effor
   }
   claim.verdict = least_spared > 0.9 ? Verdict::holds : Verdict::in_part;
   claim.reason =
-      "Every structure spares at least " + fixed(100.0 * least_spared, 2) + " % of the intersections.";
+      "Every structure spares at least " + fixed_down(100.0 * least_spared, 2) + " % of the intersections.";
   return claim;
 }
 

@@ -93,6 +93,21 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
+std::string fixed_down(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fixed(std::floor(value * scale) / scale, digits);
+}
+
+std::string fixed_up(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fixed(std::ceil(value * scale) / scale, digits);
+}
+
+std::string fixed_range(double least, double most, int digits) {
+  const std::string from = fixed(least, digits), to = fixed(most, digits);
+  return from == to ? from : from + " … " + to;
+}
+
 std::string short_figure(double value) {
   const double size = std::abs(value);
   return fixed(value, size < 0.9995 ? 3 : size < 9.995 ? 2 : size < 99.95 ? 1 : 0);

@@ -30,6 +30,11 @@ std::string escaped(const std::string& text);
 
 /// printf's %.Nf
 std::string fixed(double value, int digits);
+/// The same, rounded to what "at least" and "at most" may truly be said of.
+std::string fixed_down(double value, int digits);
+std::string fixed_up(double value, int digits);
+/// "54.8 … 55.2"; or one number where both read the same.
+std::string fixed_range(double least, double most, int digits);
 /// About three digits: "0.123", "1.23", "12.3", "123", "1235".
 std::string short_figure(double value);
 /// As short as the figure allows: "0.5", "20", "10 M".
