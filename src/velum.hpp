@@ -15,6 +15,7 @@
 #include "base/isa.hpp"
 #include "clipping/clip_polygon.hpp"
 #include "clipping/clip_segment.hpp"
+#include "drawing/agreement_drawing.hpp"
 #include "drawing/canvas.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/pixel_drawing.hpp"

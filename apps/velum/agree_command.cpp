@@ -1,5 +1,4 @@
 // velum agree: the raster against ray casting, pixel by pixel.
-#include <array>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -36,45 +35,13 @@ constexpr const char* footer =
     "Both methods see the same triangles; they differ only where a pixel's centre is within 1/362 pixel of\n"
     "an edge (edge) or of a cut with the near or far plane (cut), or two depths are equal within the\n"
     "rounding of float32 (tie). Anything else is a fault, and the exit code is then 1.\n"
-    "The map: edge blue, cut yellow, tie green, unexplained red.\n"
+    "The map: the scene in faint grey, and on it edge blue, cut yellow, tie green, unexplained red in a "
+    "ring.\n"
     "Examples:\n"
     "  velum agree builtin:house\n"
     "  velum agree bunny.obj --projection cabinet -o map.png\n"
     "  velum agree bunny.obj --accelerator kdtree --json\n"
     "  velum agree builtin:sphere --analytic            triangles against the equation, ever finer";
-
-/// A class as it is named and coloured.
-struct Class {
-  const char* name;
-  const char* meaning;
-  Rgba8 colour;
-};
-constexpr std::array<Class, agreement_count> classes{{
-    {"same", "the same triangle, or the background", {64, 64, 64, 255}},
-    {"edge", "as near to an edge as snapping moves it", {80, 160, 255, 255}},
-    {"cut", "the same at the near or far plane", {255, 220, 60, 255}},
-    {"tie", "depths equal within rounding", {90, 230, 110, 255}},
-    {"unexplained", "a fault", {255, 40, 40, 255}},
-}};
-
-const Class& class_of(Agreement agreement) {
-  return classes[static_cast<std::size_t>(agreement)];
-}
-
-/// Where they differ, over the shape of what is seen.
-Image<Rgba8> map_of(const AgreementReport& report, const Picture& picture) {
-  Image<Rgba8> map(report.classes.width(), report.classes.height());
-  for (int y = 0; y < map.height(); ++y) {
-    for (int x = 0; x < map.width(); ++x) {
-      const bool is_covered = picture.triangle_id.at(x, y) != no_primitive;
-      map.at(x, y) = is_covered ? class_of(Agreement::same).colour : Rgba8{20, 20, 20, 255};
-    }
-  }
-  for (const Difference& difference : report.differences) {
-    map.at(difference.x, difference.y) = class_of(difference.reason).colour;
-  }
-  return map;
-}
 
 Json id_json(std::uint32_t primitive) {
   return primitive == no_primitive ? Json() : Json(primitive);
@@ -82,7 +49,10 @@ Json id_json(std::uint32_t primitive) {
 
 Json json_of(const AgreementReport& report, const AgreeOptions& o, const RenderSettings& settings) {
   Json counts;
-  for (std::size_t i = 0; i < classes.size(); ++i) counts[classes[i].name] = report.counts[i];
+  for (int i = 0; i < agreement_count; ++i) {
+    const auto agreement = static_cast<Agreement>(i);
+    counts[std::string(agreement_class(agreement).name)] = report.of(agreement);
+  }
   Json unexplained = Json::array();
   for (const Difference& d : report.differences) {
     if (d.reason != Agreement::unexplained) continue;
@@ -110,9 +80,11 @@ void print_text(const AgreementReport& report, const AgreeOptions& o, const View
             << counted_text(report.covered, "covered pixel") << ", "
             << counted_text(report.differences.size(), "difference") << " ("
             << percent_text(report.differing_share()) << ")\n";
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    std::cout << "  " << padded_right(classes[i].name, 12) << padded_left(grouped_text(report.counts[i]), 12)
-              << "  " << classes[i].meaning << '\n';
+  for (int i = 0; i < agreement_count; ++i) {
+    const auto agreement = static_cast<Agreement>(i);
+    const AgreementClass& shown = agreement_class(agreement);
+    std::cout << "  " << padded_right(std::string(shown.name), 12)
+              << padded_left(grouped_text(report.of(agreement)), 12) << "  " << shown.meaning << '\n';
   }
   int listed = 0;
   for (const Difference& d : report.differences) {
@@ -147,8 +119,8 @@ int run(const AgreeOptions& o) {
   const Camera camera = frame(scene.points(), view.projection, view.framing);
   const AgreementReport report = agree(scene, camera, settings);
   if (o.map) {
-    settings.shading = Shading::triangle_id;
-    write_drawing(outputs[0], map_of(report, render(scene, camera, settings)));
+    settings.shading = Shading::flat;
+    write_drawing(outputs[0], draw_agreement(report, render(scene, camera, settings)));
   }
   if (o.map == "-") return report.is_explained() ? exit_ok : exit_different;
   if (o.json) {
