@@ -31,8 +31,7 @@ class Random {
 };
 
 std::vector<ViewRay> primary_rays(const BenchScene& bench) {
-  const CameraRays camera(bench.camera.viewing_transform(bench.aspect()).world_from_clip(),
-                          {bench.width, bench.height});
+  const CameraRays camera(bench.camera.viewing_transform(bench.aspect()), {bench.width, bench.height});
   std::vector<ViewRay> rays;
   rays.reserve(static_cast<std::size_t>(bench.pixels()));
   for (int top = 0; top < bench.height; top += 2) {
@@ -59,8 +58,7 @@ glm::dvec3 direction_about(const glm::dvec3& normal, Random& random) {
 
 /// Above the camera and to its left.
 glm::dvec3 light_of(const BenchScene& bench, double diagonal) {
-  const CameraRays camera(bench.camera.viewing_transform(bench.aspect()).world_from_clip(),
-                          {bench.width, bench.height});
+  const CameraRays camera(bench.camera.viewing_transform(bench.aspect()), {bench.width, bench.height});
   const auto near = [&](double x, double y) {
     return camera.through(x * bench.width, y * bench.height).ray.origin;
   };

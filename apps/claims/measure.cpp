@@ -54,7 +54,7 @@ std::vector<Ray> random_lines(const Aabb& bounds, int count, std::uint64_t seed)
 
 std::vector<ViewRay> camera_rays(const Camera& camera, int width, int height) {
   const double aspect = static_cast<double>(width) / height;
-  const CameraRays rays(camera.viewing_transform(aspect).world_from_clip(), {width, height});
+  const CameraRays rays(camera.viewing_transform(aspect), {width, height});
   std::vector<ViewRay> all;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) all.push_back(rays.through(x + 0.5, y + 0.5));

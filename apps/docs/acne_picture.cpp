@@ -74,7 +74,7 @@ Image<Rgba8> Stage::panel(const Cure& cure) const {
   const Camera camera = Camera::perspective(
       Pose::towards(glm::dvec3(-0.6, 1.5, 3.2) * size_, glm::dvec3(-0.15, 0.3, 0.0) * size_),
       {VerticalAngle{0.62}}, 0.1 * size_, 20.0 * size_);
-  const CameraRays rays(camera.viewing_transform(1.0).world_from_clip(), {side, side});
+  const CameraRays rays(camera.viewing_transform(1.0), {side, side});
   Canvas canvas(side, side + caption, paper);
   Image<Rgba8> picture(side, side, Rgba8{222, 230, 240, 255});
   CastCounters counters;

@@ -120,8 +120,7 @@ AnalyticAgreement agree_analytic(const Scene& scene, std::span<const AnalyticBod
   const Picture rays = render_analytic(scene, bodies, camera, ids);
   const Picture raster = render(scene, camera, ids);
   const Rect rect = requested_rect(settings);
-  const CameraRays camera_rays(requested_view(camera, settings).world_from_clip(),
-                               {settings.width, settings.height});
+  const CameraRays camera_rays(requested_view(camera, settings), {settings.width, settings.height});
   const Silhouettes silhouettes(scene, bodies, camera_rays);
   AnalyticAgreement result;
   result.inner_share = silhouettes.least_share();

@@ -128,7 +128,7 @@ RayView::RayView(const Scene& scene, const SceneCaster& caster, const ViewingTra
     : scene_(scene),
       caster_(caster),
       cull_(settings.cull),
-      rays_(viewing.world_from_clip(), {settings.width, settings.height}) {
+      rays_(viewing, {settings.width, settings.height}) {
   for (const Instance& instance : scene.instances()) {
     clip_from_object_.push_back(viewing.clip_from_object(instance.world_from_object));
   }

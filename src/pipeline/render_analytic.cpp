@@ -40,7 +40,7 @@ class AnalyticPixels {
   AnalyticPixels(const ShadeInput& input, std::span<const AnalyticBody> bodies)
       : context_(input),
         view_(input.scene, bodies, input.settings.cull),
-        rays_(input.viewing.world_from_clip(), {input.settings.width, input.settings.height}),
+        rays_(input.viewing, {input.settings.width, input.settings.height}),
         clip_from_world_(input.viewing.clip_from_world()),
         background_(linear_from_srgb(input.settings.background)) {}
 

@@ -2,29 +2,10 @@
 
 #include "../base/error.hpp"
 #include "camera_axes.hpp"
+#include "kernel.hpp"
 #include "viewing_transform.hpp"
 
 namespace velum {
-namespace {
-
-glm::dvec4 row(const glm::dmat4& matrix, int index) {
-  return {matrix[0][index], matrix[1][index], matrix[2][index], matrix[3][index]};
-}
-
-double determinant3(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  return glm::dot(a, glm::cross(b, c));
-}
-
-// The vector orthogonal to three 4-vectors: the generalised cross product, by 3×3 cofactors.
-glm::dvec4 kernel(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
-  const auto minor = [&](int i, int j, int k) {
-    return determinant3({a[i], a[j], a[k]}, {b[i], b[j], b[k]}, {c[i], c[j], c[k]});
-  };
-  return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
-}
-
-}  // namespace
-
 glm::dvec4 eye_of(const glm::dmat4& clip_from_world) {
   const glm::dvec4 w = row(clip_from_world, 3);
   const glm::dvec4 eye = kernel(row(clip_from_world, 0), row(clip_from_world, 1), w);

@@ -12,6 +12,11 @@ using namespace velum;
 
 namespace {
 
+/// A viewing transform of one stage.
+ViewingTransform alone(const glm::dmat4& matrix) {
+  return ViewingTransform(StageList{{"matrix", "The caller's.", matrix}});
+}
+
 glm::dmat4 random_placement(Random& random, double away) {
   glm::dmat4 m(1.0);
   for (int axis = 0; axis < 3; ++axis) m[axis] = glm::dvec4(random_point(random), 0.0);
@@ -163,7 +168,7 @@ TEST_CASE("camera rays run from the near to the far plane through what the pictu
     const Camera camera = frame(scene.bounds(), parse_projection(entry.name), {});
     const ViewingTransform viewing = camera.viewing_transform(camera.aspect().value_or(1.5));
     const Viewport viewport{60, 40};
-    const CameraRays rays(viewing.world_from_clip(), viewport);
+    const CameraRays rays(viewing, viewport);
     for (const glm::dvec2 pixel : {glm::dvec2(0.5, 0.5), glm::dvec2(30, 20), glm::dvec2(59.5, 3.25)}) {
       const ViewRay view_ray = rays.through(pixel.x, pixel.y);
       for (const double t : {0.0, 0.25, 1.0}) {
@@ -179,12 +184,36 @@ TEST_CASE("camera rays run from the near to the far plane through what the pictu
   }
 }
 
+TEST_CASE("camera rays keep their direction where far / near is far beyond the digits of double") {
+  const Pose pose = Pose::towards({120.0, -35.0, 60.0}, {3.0, 1.0, -2.0});
+  for (const double near : {1e-2, 1e-9, 1e-12, 1e-15, 1e-20}) {
+    for (const double angle : {1.0, 1e-4}) {
+      CAPTURE(near);
+      CAPTURE(angle);
+      const Viewport viewport{60, 40};
+      const ViewingTransform viewing =
+          Camera::perspective(pose, {VerticalAngle{angle}}, near, 500.0).viewing_transform(1.5);
+      const CameraRays rays(viewing, viewport);
+      const glm::dmat4 clip_from_world = viewing.clip_from_world();
+      for (const glm::dvec2 pixel : {glm::dvec2(0.5, 0.5), glm::dvec2(30, 20), glm::dvec2(59.5, 3.25)}) {
+        const ViewRay view_ray = rays.through(pixel.x, pixel.y);
+        const double length = glm::length(view_ray.ray.direction);
+        const glm::dvec3 at = view_ray.ray.origin + view_ray.ray.direction * (100.0 / length);
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(at, 1.0);
+        const glm::dvec2 back = viewport.pixel_from_ndc(clip.x / clip.w, clip.y / clip.w);
+        CHECK(std::fabs(back.x - pixel.x) < 1e-6);
+        CHECK(std::fabs(back.y - pixel.y) < 1e-6);
+      }
+    }
+  }
+}
+
 TEST_CASE("camera rays of an infinite far plane, and of a near plane at infinity") {
   glm::dmat4 infinite(0.0);  // z = w - near: 0 at the near plane, w at infinity
   infinite[0][0] = infinite[1][1] = 1.0;
   infinite[2][2] = infinite[2][3] = -1.0;
   infinite[3][2] = -0.5;
-  const ViewRay ray = CameraRays(glm::inverse(infinite), {10, 10}).through(7.5, 2.5);
+  const ViewRay ray = CameraRays(alone(infinite), {10, 10}).through(7.5, 2.5);
   CHECK(ray.range.lower == 0.0);
   CHECK(ray.range.upper == std::numeric_limits<double>::infinity());
   CHECK(ray.ray.origin.z == doctest::Approx(-0.5));
@@ -194,7 +223,7 @@ TEST_CASE("camera rays of an infinite far plane, and of a near plane at infinity
 
   glm::dmat4 reversed = infinite;  // z' = w - z
   for (int column = 0; column < 4; ++column) reversed[column][2] = infinite[column][3] - infinite[column][2];
-  const ViewRay back = CameraRays(glm::inverse(reversed), {10, 10}).through(7.5, 2.5);
+  const ViewRay back = CameraRays(alone(reversed), {10, 10}).through(7.5, 2.5);
   CHECK(back.range.lower == -std::numeric_limits<double>::infinity());
   CHECK(back.range.upper == 0.0);
   CHECK(back.ray.origin.z == doctest::Approx(-0.5));
