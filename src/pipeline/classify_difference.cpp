@@ -33,12 +33,26 @@ glm::dvec4 crossing(const glm::dvec4& a, const glm::dvec4& b, bool at_near) {
   return a + (b - a) * (da / (da - inside(b, at_near)));
 }
 
+/// How wrong w - z of a vertex can be in double. Where far is many times near, w and z are nearly equal, and
+/// what they differ by is near / distance: with far/near above 10^9 this counts beside float32. Each of the
+/// terms of the two sums is rounded at most eight times: at most five products of stages, one product, two
+/// sums; the difference itself once more.
+double clip_rounding_of(const glm::dmat4& clip_from_object, const glm::vec3& position) {
+  const glm::dvec4 p(position, 1.0);
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    sum += (std::fabs(clip_from_object[i].z) + std::fabs(clip_from_object[i].w)) * std::fabs(p[i]);
+  }
+  return 9.0 * 0x1.0p-53 * sum;
+}
+
 }  // namespace
 
 /// A triangle of the scene in clip space.
 struct DifferenceClassifier::SeenTriangle {
   std::array<glm::dvec4, 3> v;
   const Viewport& viewport;
+  double clip_rounding = 0.0;  ///< the largest error of any vertex's w - z, see clip_rounding_of()
 
   glm::dvec2 pixel_of(const glm::dvec4& p) const { return viewport.pixel_from_ndc(p.x / p.w, p.y / p.w); }
 
@@ -95,7 +109,19 @@ struct DifferenceClassifier::SeenTriangle {
     const double across = std::fabs(static_cast<double>(plane.dx)) * (std::abs(x - plane.x_ref) + 1);
     const double down = std::fabs(static_cast<double>(plane.dy)) * (std::abs(y - plane.y_ref) + 1);
     const double r = std::fabs(reversed_depth({x + 0.5, y + 0.5}));
-    return 4.0 * 0x1.0p-24 * (r + 2.0 * across + 2.0 * down);
+    return 4.0 * 0x1.0p-24 * (r + 2.0 * across + 2.0 * down) + clip_rounding * inverse_w({x + 0.5, y + 0.5});
+  }
+
+  /// 1 / w of the triangle's plane at a place on the picture: how far an error of w - z moves r there.
+  double inverse_w(const glm::dvec2& p) const {
+    const glm::dvec2 ndc = viewport.ndc_from_pixel(p.x, p.y);
+    const auto xyw = [](const glm::dvec4& q) { return glm::dvec3(q.x, q.y, q.w); };
+    const glm::dvec3 at(ndc.x, ndc.y, 1.0);
+    const glm::dvec3 weights(glm::dot(at, glm::cross(xyw(v[1]), xyw(v[2]))),
+                             glm::dot(at, glm::cross(xyw(v[2]), xyw(v[0]))),
+                             glm::dot(at, glm::cross(xyw(v[0]), xyw(v[1]))));
+    const double w = glm::dot(weights, glm::dvec3(v[0].w, v[1].w, v[2].w));
+    return (std::fabs(weights.x) + std::fabs(weights.y) + std::fabs(weights.z)) / std::fabs(w);
   }
 };
 
@@ -113,10 +139,13 @@ DifferenceClassifier::SeenTriangle DifferenceClassifier::seen(std::uint32_t prim
   const Mesh& mesh = scene_.meshes()[instance.mesh];
   const glm::dmat4 clip_from_object = viewing_.clip_from_object(instance.world_from_object);
   const glm::uvec3& t = mesh.triangles[place.index];
-  return {{clip_position(clip_from_object, mesh.positions[t.x]),
-           clip_position(clip_from_object, mesh.positions[t.y]),
-           clip_position(clip_from_object, mesh.positions[t.z])},
-          viewport_};
+  SeenTriangle result{{}, viewport_};
+  for (int i = 0; i < 3; ++i) {
+    const glm::vec3& position = mesh.positions[t[i]];
+    result.v[static_cast<std::size_t>(i)] = clip_position(clip_from_object, position);
+    result.clip_rounding = std::max(result.clip_rounding, clip_rounding_of(clip_from_object, position));
+  }
+  return result;
 }
 
 Agreement DifferenceClassifier::classify(int x, int y, std::uint32_t raster, std::uint32_t ray) const {
