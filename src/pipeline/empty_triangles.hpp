@@ -8,6 +8,7 @@
 
 #include "../base/counters.hpp"
 #include "../base/isa.hpp"
+#include "../spatial/corner_window.hpp"
 #include "geometry_kernels.hpp"
 
 namespace velum {
@@ -19,6 +20,7 @@ struct EmptyTrianglesWork {
   std::uint32_t vertex_count;
   const std::uint32_t* indices;     ///< three per triangle, into `placed`
   const std::uint16_t* corners[3];  ///< see MeshCluster: what is read where vertices are at most 65536
+  const std::uint16_t* windows;     ///< of the corners, see MeshCluster
   const std::uint32_t* triangles;   ///< what is handed on for each
   std::uint32_t triangle_count;
   bool is_back_positive;  ///< see SetUpWork
@@ -31,7 +33,7 @@ struct EmptyTrianglesWork {
 
 inline constexpr std::size_t kept_room = 16;
 constexpr std::size_t packed_room(std::size_t vertex_count) {
-  return vertex_count + 16 * 16;
+  return vertex_count + window_corners + 16;
 }
 
 /// Copies those that may cover a pixel centre, in their order, and counts the others, as the stages would but

@@ -12,6 +12,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace velum {
 namespace HWY_NAMESPACE {
+
+// One lane holds no pair of coordinates: there the plain loop is the kernel.
+#if HWY_TARGET == HWY_SCALAR
+
+std::uint32_t leave_out_empty(const EmptyTrianglesWork& work, Counters& counters) {
+  return leave_out_empty_reference(work, counters);
+}
+
+#else
+
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -27,63 +37,56 @@ HWY_INLINE std::size_t lanes() {
   return hn::Lanes(ints);
 }
 
-/// The vertices' window; see window_of().
-HWY_INLINE PlacedWindow find_window(const PlacedVertex* placed, std::uint32_t count) {
-  const auto* const words = reinterpret_cast<const std::int32_t*>(placed);
-  Int left = hn::Set(ints, INT32_MAX), top = left, right = hn::Set(ints, INT32_MIN), bottom = right;
-  std::size_t i = 0;
-  for (; i + lanes() <= count; i += lanes()) {
-    Int x, y;
-    hn::LoadInterleaved2(ints, words + 2 * i, x, y);
-    left = hn::Min(left, x);
-    right = hn::Max(right, x);
-    top = hn::Min(top, y);
-    bottom = hn::Max(bottom, y);
-  }
-  PlacedBox box{hn::GetLane(hn::MinOfLanes(ints, left)), hn::GetLane(hn::MinOfLanes(ints, top)),
-                hn::GetLane(hn::MaxOfLanes(ints, right)), hn::GetLane(hn::MaxOfLanes(ints, bottom))};
-  for (; i < count; ++i) box.include(placed[i]);
-  return window_around(box);
-}
-
-/// Brings the vertices into the window: y in the upper, x in the lower half of a word.
-HWY_INLINE void pack(const EmptyTrianglesWork& work, const PlacedWindow& window) {
+/// Packs the vertices: y in the upper, x in the lower half of a word, counted from a corner of the first
+/// one's pixel. @return their window; unless it is narrow what is packed means nothing
+HWY_INLINE PlacedWindow pack(const EmptyTrianglesWork& work) {
   const PlacedVertex* const placed = work.placed + work.first_vertex;
-  const Int left = hn::Set(ints, window.left), top = hn::Set(ints, window.top);
+  const std::int32_t origin_x = placed->x & -256, origin_y = placed->y & -256;
+  const Int from_x = hn::Set(ints, origin_x), from_y = hn::Set(ints, origin_y);
+  const Int low_half = hn::Set(ints, 0xFFFF);
+  Int left = hn::Set(ints, INT32_MAX), top = left, right = hn::Set(ints, INT32_MIN), bottom = right;
   std::size_t i = 0;
   for (; i + lanes() <= work.vertex_count; i += lanes()) {
     Int x, y;
     hn::LoadInterleaved2(ints, reinterpret_cast<const std::int32_t*>(placed + i), x, y);
-    hn::StoreU(hn::Or(hn::Sub(x, left), hn::ShiftLeft<16>(hn::Sub(y, top))), ints, work.scratch + i);
+    left = hn::Min(left, x);
+    right = hn::Max(right, x);
+    top = hn::Min(top, y);
+    bottom = hn::Max(bottom, y);
+    const Int column = hn::And(hn::Sub(x, from_x), low_half);
+    hn::StoreU(hn::Or(column, hn::ShiftLeft<16>(hn::Sub(y, from_y))), ints, work.scratch + i);
   }
+  PlacedBox box{hn::GetLane(hn::MinOfLanes(ints, left)), hn::GetLane(hn::MinOfLanes(ints, top)),
+                hn::GetLane(hn::MaxOfLanes(ints, right)), hn::GetLane(hn::MaxOfLanes(ints, bottom))};
   for (; i < work.vertex_count; ++i) {
-    work.scratch[i] = (placed[i].x - window.left) | ((placed[i].y - window.top) * 65536);
+    box.include(placed[i]);
+    const auto x = static_cast<std::uint32_t>(placed[i].x) - static_cast<std::uint32_t>(origin_x);
+    const auto y = static_cast<std::uint32_t>(placed[i].y) - static_cast<std::uint32_t>(origin_y);
+    work.scratch[i] = static_cast<std::int32_t>((x & 0xFFFFu) | (y << 16));
   }
+  return window_around(box);
 }
 
 /// Looks vertices up one by one.
-class InMemory {
- public:
-  explicit InMemory(const std::int32_t* packed) : packed_(packed) {}
-  HWY_INLINE Int operator()(const std::uint16_t* corners) const {
-    return hn::GatherIndex(ints, packed_, hn::PromoteTo(ints, hn::LoadU(indices, corners)));
-  }
+HWY_INLINE Int in_memory(const std::int32_t* packed, const std::uint16_t* corners, IntMask present) {
+  const Int index = hn::PromoteTo(ints, hn::LoadU(indices, corners));
+  return hn::GatherIndex(ints, packed, hn::IfThenElseZero(present, index));
+}
 
- private:
-  const std::int32_t* packed_;
-};
+constexpr std::size_t most_window_vectors = window_corners / hn::MaxLanes(ints);
 
-/// Holds few vertices in `count` vectors and looks them up by the lane.
-template <std::size_t count>
-class InVectors {
+/// Holds the vertices of a window and looks them up by the lane.
+class InWindow {
  public:
-  explicit HWY_INLINE InVectors(const std::int32_t* packed) {
-    for (std::size_t i = 0; i < count; ++i) part_[i] = hn::LoadU(ints, packed + i * lanes());
+  HWY_INLINE InWindow(const std::int32_t* packed, std::uint16_t first) : first_(hn::Set(ints, first)) {
+    for (std::size_t i = 0; i < most_window_vectors; ++i) {
+      part_[i] = hn::LoadU(ints, packed + first + i * lanes());
+    }
   }
   HWY_INLINE Int operator()(const std::uint16_t* corners) const {
-    const Int index = hn::PromoteTo(ints, hn::LoadU(indices, corners));
+    const Int index = hn::Sub(hn::PromoteTo(ints, hn::LoadU(indices, corners)), first_);
     const Int lane = hn::And(index, hn::Set(ints, static_cast<std::int32_t>(lanes() - 1)));
-    return among<0, count>(index, hn::IndicesFromVec(ints, lane));
+    return among<0, most_window_vectors>(index, hn::IndicesFromVec(ints, lane));
   }
 
  private:
@@ -92,32 +95,20 @@ class InVectors {
     if constexpr (size == 1) {
       return hn::TableLookupLanes(part_[first], lane);
     } else {
-      constexpr std::size_t half = size > 4 ? 4 : (size > 2 ? 2 : 1);
+      constexpr std::size_t half = size / 2;
       const Int bit = hn::Set(ints, static_cast<std::int32_t>(half * lanes()));
-      return hn::IfThenElse(hn::TestBit(index, bit), among<first + half, size - half>(index, lane),
+      return hn::IfThenElse(hn::TestBit(index, bit), among<first + half, half>(index, lane),
                             among<first, half>(index, lane));
     }
   }
 
-  Int part_[count];
+  Int first_;
+  Int part_[most_window_vectors];
 };
 
-/// One coordinate of triangles, lane by lane.
-struct Coordinate {
-  Int a, b, c;
-};
-
-/// Brings the coordinates to the centre of the first pixel that has its centre beyond the smallest.
-/// @return pixels with centres between the smallest and the largest, less one
-HWY_INLINE Int to_centre(Coordinate& v) {
-  const Int half = hn::Set(ints, 128);
-  const Int lowest = hn::Min(v.a, hn::Min(v.b, v.c)), highest = hn::Max(v.a, hn::Max(v.b, v.c));
-  const Int first = hn::ShiftRight<8>(hn::Add(lowest, hn::Set(ints, 127)));
-  const Int last = hn::ShiftRight<8>(hn::Sub(highest, half));
-  const Int centre = hn::Add(hn::ShiftLeft<8>(first), half);
-  v = {hn::Sub(v.a, centre), hn::Sub(v.b, centre), hn::Sub(v.c, centre)};
-  return hn::Sub(last, first);
-}
+using Halves = hn::Repartition<std::int16_t, Ints>;
+using Half = hn::Vec<Halves>;  // x and y in turn, as packed
+constexpr Halves halves;
 
 /// What is known of a vector of triangles.
 struct Found {
@@ -125,21 +116,45 @@ struct Found {
   Int area;          ///< doubled, of those that do not
 };
 
-HWY_INLINE Found look_at(Int a, Int b, Int c) {
-  const auto low = [](Int v) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(v)); };
-  const auto high = [](Int v) { return hn::ShiftRight<16>(v); };
-  Coordinate x{low(a), low(b), low(c)}, y{high(a), high(b), high(c)};
-  const Int columns = to_centre(x), rows = to_centre(y);
-  const Int edges[3] = {hn::Sub(hn::Mul(x.a, y.b), hn::Mul(y.a, x.b)),
-                        hn::Sub(hn::Mul(x.b, y.c), hn::Mul(y.b, x.c)),
-                        hn::Sub(hn::Mul(x.c, y.a), hn::Mul(y.c, x.a))};
+/// (x, y) turned to (y, -x).
+HWY_INLINE Half turned(Half v) {
+  const Int both = hn::BitCast(ints, v);
+  const Int low_half = hn::Set(ints, 0xFFFF);
+  const Half swapped =
+      hn::BitCast(halves, hn::Or(hn::ShiftLeft<16>(both), hn::And(hn::ShiftRight<16>(both), low_half)));
+  const Half sign = hn::BitCast(halves, hn::Set(ints, -65536));
+  return hn::Sub(hn::Xor(swapped, sign), sign);
+}
+
+/// x·x' + y·y'
+HWY_INLINE Int dot(Half a, Half b) {
+  Int odd = hn::Zero(ints);
+  const Int even = hn::ReorderWidenMulAccumulate(ints, a, b, hn::Zero(ints), odd);
+  return hn::RearrangeToOddPlusEven(even, odd);
+}
+
+/// See leave_out_empty_reference: columns and rows at once, seen from the centre of the first pixel that has
+/// its centre beyond the smallest coordinates.
+HWY_INLINE Found look_at(Int packed_a, Int packed_b, Int packed_c) {
+  Half a = hn::BitCast(halves, packed_a), b = hn::BitCast(halves, packed_b),
+       c = hn::BitCast(halves, packed_c);
+  const Half to_centre = hn::Set(halves, std::int16_t{128});
+  const Half lowest = hn::Min(a, hn::Min(b, c)), highest = hn::Max(a, hn::Max(b, c));
+  const Half first = hn::ShiftRight<8>(hn::Add(lowest, hn::Set(halves, std::int16_t{127})));
+  const Half last = hn::ShiftRight<8>(hn::Sub(highest, to_centre));
+  const Half centre = hn::Add(hn::ShiftLeft<8>(first), to_centre);
+  a = hn::Sub(a, centre);
+  b = hn::Sub(b, centre);
+  c = hn::Sub(c, centre);
+  const Int edges[3] = {dot(a, turned(b)), dot(b, turned(c)), dot(c, turned(a))};
   // Signs: the centre lies left of one edge and right of another, and is the only one.
   const Int some_negative = hn::Or(edges[0], hn::Or(edges[1], edges[2]));
   const Int zero = hn::Zero(ints);
-  const Int highest = hn::Max(edges[0], hn::Max(edges[1], edges[2]));
-  const IntMask is_beside = hn::And(hn::Lt(some_negative, zero), hn::Gt(highest, zero));
-  const IntMask has_one = hn::Eq(hn::Or(columns, rows), zero);
-  const IntMask has_none = hn::Lt(hn::Or(columns, rows), zero);
+  const Int highest_edge = hn::Max(edges[0], hn::Max(edges[1], edges[2]));
+  const IntMask is_beside = hn::And(hn::Lt(some_negative, zero), hn::Gt(highest_edge, zero));
+  const Int more = hn::BitCast(ints, hn::Sub(last, first));  // centres between, less one
+  const IntMask has_one = hn::Eq(more, zero);
+  const IntMask has_none = hn::Ne(hn::And(more, hn::Set(ints, static_cast<std::int32_t>(0x80008000u))), zero);
   return {hn::Or(has_none, hn::And(has_one, is_beside)), hn::Add(edges[0], hn::Add(edges[1], edges[2]))};
 }
 
@@ -160,28 +175,42 @@ void add(const EmptyTrianglesWork& work, const EmptyCounts& empty, Counters& cou
   counters.back_facing += work.is_back_positive ? empty.negative : empty.positive;
 }
 
+/// Looks at the triangles from `first` on, as many as a vector has lanes.
+HWY_INLINE Found look_at_triangles(const EmptyTrianglesWork& work, std::uint32_t first, IntMask present) {
+  const std::uint16_t* const a = work.corners[0] + first;
+  const std::uint16_t* const b = work.corners[1] + first;
+  const std::uint16_t* const c = work.corners[2] + first;
+  const std::uint16_t window = work.windows[first / window_triangles];
+  if (HWY_LIKELY(window != no_window)) {
+    const InWindow vertices(work.scratch, window);
+    return look_at(vertices(a), vertices(b), vertices(c));
+  }
+  const auto vertices = [&](const std::uint16_t* corner) { return in_memory(work.scratch, corner, present); };
+  return look_at(vertices(a), vertices(b), vertices(c));
+}
+
 /// Lists, in kept_triangles, the places of the triangles that are left. @return how many
-template <typename Vertices>
-HWY_INLINE std::uint32_t list_left(const EmptyTrianglesWork& work, const Vertices& vertices,
-                                   Counters& counters) {
+HWY_INLINE std::uint32_t list_left(const EmptyTrianglesWork& work, Counters& counters) {
   const std::uint32_t count = work.triangle_count;
   auto* const places = reinterpret_cast<std::int32_t*>(work.kept_triangles);
-  const std::uint16_t* const corners[3] = {work.corners[0], work.corners[1], work.corners[2]};
-  const Int end = hn::Set(ints, static_cast<std::int32_t>(work.triangle_count)), zero = hn::Zero(ints);
+  const Int end = hn::Set(ints, static_cast<std::int32_t>(count)), zero = hn::Zero(ints);
+  const Int step = hn::Set(ints, static_cast<std::int32_t>(lanes()));
+  // Counted on: an Iota with a variable is stored lane by lane.
+  Int place = hn::Iota(ints, 0);
   EmptyCounts counts;
   std::size_t listed = 0;
-  for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(lanes())) {
-    const Found found = look_at(vertices(corners[0] + i), vertices(corners[1] + i), vertices(corners[2] + i));
-    const Int place = hn::Iota(ints, static_cast<std::int32_t>(i));
+  for (std::uint32_t i = 0; i < count;
+       i += static_cast<std::uint32_t>(lanes()), place = hn::Add(place, step)) {
     const IntMask present = hn::Lt(place, end);
+    const Found found = look_at_triangles(work, i, present);
     const IntMask left = hn::AndNot(found.is_empty, present);
     const IntMask empty = hn::And(present, found.is_empty);
-    counts.all += hn::CountTrue(ints, empty);
     counts.positive += hn::CountTrue(ints, hn::And(empty, hn::Gt(found.area, zero)));
     counts.negative += hn::CountTrue(ints, hn::And(empty, hn::Lt(found.area, zero)));
     hn::StoreU(hn::Compress(place, left), ints, places + listed);
     listed += hn::CountTrue(ints, left);
   }
+  counts.all = count - listed;
   add(work, counts, counters);
   return static_cast<std::uint32_t>(listed);
 }
@@ -208,17 +237,13 @@ std::uint32_t keep_all(const EmptyTrianglesWork& work) {
 
 std::uint32_t leave_out_empty(const EmptyTrianglesWork& work, Counters& counters) {
   if (work.vertex_count > most_packed_vertices) return keep_all(work);
-  const PlacedWindow window = find_window(work.placed + work.first_vertex, work.vertex_count);
-  if (!window.is_narrow) return keep_all(work);
-  pack(work, window);
-  const std::size_t vectors = (work.vertex_count + lanes() - 1) / lanes();
-  const std::uint32_t left = vectors <= 4   ? list_left(work, InVectors<4>(work.scratch), counters)
-                             : vectors <= 6 ? list_left(work, InVectors<6>(work.scratch), counters)
-                             : vectors <= 8 ? list_left(work, InVectors<8>(work.scratch), counters)
-                                            : list_left(work, InMemory(work.scratch), counters);
+  if (!pack(work).is_narrow) return keep_all(work);
+  const std::uint32_t left = list_left(work, counters);
   copy_listed(work, left);
   return left;
 }
+
+#endif
 
 }  // namespace HWY_NAMESPACE
 }  // namespace velum

@@ -105,15 +105,19 @@ class HierarchicalStage {
   }
 
   void draw_batch() {
-    // Those that stand side by side in memory are then drawn as one.
-    std::sort(buffers_.batch.entries.begin(), buffers_.batch.entries.end(), [](const auto& a, const auto& b) {
-      return a.placed != b.placed ? a.placed < b.placed : a.cluster < b.cluster;
-    });
+    // Those that stand side by side in memory are then drawn as one. What was remembered is in this order.
+    if (!buffers_.batch.comes_first) sort_batch();
     drawer_.draw(buffers_.batch);
     drawn_ += buffers_.batch.triangles;
     unpublished_ += buffers_.batch.triangles;
     buffers_.batch.clear();
     input_.progress(std::min(1.0, static_cast<double>(drawn_) / input_.scene.primitive_count()));
+  }
+
+  void sort_batch() {
+    std::sort(buffers_.batch.entries.begin(), buffers_.batch.entries.end(), [](const auto& a, const auto& b) {
+      return a.placed != b.placed ? a.placed < b.placed : a.cluster < b.cluster;
+    });
   }
 
   void flush(bool is_last = false) {

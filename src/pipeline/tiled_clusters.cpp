@@ -152,6 +152,7 @@ void TiledClusters::leave_out_empty(const MeshCluster& cluster, bool is_mirrored
                                    static_cast<std::uint32_t>(cluster.positions.size()),
                                    cluster.indices.data(),
                                    {cluster.corners[0], cluster.corners[1], cluster.corners[2]},
+                                   cluster.windows,
                                    cluster.triangles.data(),
                                    static_cast<std::uint32_t>(cluster.triangles.size()),
                                    facing.is_back_positive,

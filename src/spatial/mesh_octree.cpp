@@ -1,5 +1,8 @@
 #include "mesh_octree.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace velum {
 namespace {
 
@@ -34,11 +37,12 @@ class MeshOctree::Writer {
     out.cluster_of_triangle_.resize(mesh.triangles.size());
   }
 
-  void write(std::span<const std::uint32_t> triangles) {
+  void write(std::span<const std::uint32_t> items) {
+    const std::vector<std::uint32_t> triangles = swept(items);
     const auto cluster = static_cast<std::uint32_t>(out_.spans_.size());
     Span span{static_cast<std::uint32_t>(out_.positions_.size()), 0,
               static_cast<std::uint32_t>(out_.triangles_.size()),
-              static_cast<std::uint32_t>(triangles.size())};
+              static_cast<std::uint32_t>(triangles.size()), static_cast<std::uint32_t>(out_.windows_.size())};
     for (const std::uint32_t i : triangles) {
       out_.triangles_.push_back(i);
       out_.cluster_of_triangle_[i] = cluster;
@@ -49,6 +53,7 @@ class MeshOctree::Writer {
         out_.corners_[v].push_back(static_cast<std::uint16_t>(index - span.first_position));
       }
     }
+    write_windows(span);
     out_.spans_.push_back(span);
     const MeshCluster written = out_.cluster(cluster);
     out_.cones_.push_back(normal_cone(out_.positions_, written.indices));
@@ -59,6 +64,38 @@ class MeshOctree::Writer {
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  void write_windows(const Span& span) {
+    for (std::size_t i = 0; i < span.triangle_count; i += window_triangles) {
+      const auto from = [&](int v) { return out_.corners_[v].data() + span.first_triangle + i; };
+      out_.windows_.push_back(window_of_corners({from(0), from(1), from(2)},
+                                                std::min(window_triangles, span.triangle_count - i)));
+    }
+  }
+
+  /// Triangles in the order in which a plane across the longest axis sweeps over them: neighbours in the list
+  /// then have vertices that are neighbours, too.
+  std::vector<std::uint32_t> swept(std::span<const std::uint32_t> items) const {
+    const auto sum_of = [&](std::uint32_t i) {
+      const glm::uvec3& t = mesh_.triangles[i];
+      return glm::dvec3(mesh_.positions[t.x]) + glm::dvec3(mesh_.positions[t.y]) +
+             glm::dvec3(mesh_.positions[t.z]);
+    };
+    Aabb reach;
+    std::vector<std::uint32_t> order(items.begin(), items.end());
+    for (const std::uint32_t i : items) {
+      const glm::dvec3 sum = sum_of(i);
+      if (!(sum - sum == glm::dvec3(0.0))) return order;  // a vertex is not finite
+      reach.include(sum);
+    }
+    const glm::dvec3 size = reach.size();
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::vector<std::pair<double, std::uint32_t>> along;
+    for (const std::uint32_t i : items) along.emplace_back(sum_of(i)[axis], i);
+    std::sort(along.begin(), along.end());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = along[i].second;
+    return order;
+  }
 
   std::uint32_t local(std::uint32_t vertex, std::uint32_t cluster, Span& span) {
     if (owner_[vertex] != cluster) {
@@ -109,13 +146,15 @@ MeshCluster MeshOctree::clusters(std::size_t first, std::size_t end) const {
           std::span(indices_).subspan(3 * std::size_t{from.first_triangle}, 3 * triangles),
           std::span(triangles_).subspan(from.first_triangle, triangles),
           {corners_[0].data() + from.first_triangle, corners_[1].data() + from.first_triangle,
-           corners_[2].data() + from.first_triangle}};
+           corners_[2].data() + from.first_triangle},
+          windows_.data() + from.first_window};
 }
 
 std::size_t MeshOctree::bytes() const {
   return octree_.bytes() + bytes_of(spans_) + bytes_of(cones_) + bytes_of(tight_boxes_) +
          bytes_of(positions_) + bytes_of(indices_) + bytes_of(triangles_) + bytes_of(cluster_of_triangle_) +
-         bytes_of(parents_) + bytes_of(corners_[0]) + bytes_of(corners_[1]) + bytes_of(corners_[2]);
+         bytes_of(parents_) + bytes_of(corners_[0]) + bytes_of(corners_[1]) + bytes_of(corners_[2]) +
+         bytes_of(windows_);
 }
 
 }  // namespace velum

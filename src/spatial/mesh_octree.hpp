@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../scene/mesh.hpp"
+#include "corner_window.hpp"
 #include "normal_cone.hpp"
 #include "octree.hpp"
 #include "oriented_box.hpp"
@@ -13,7 +14,8 @@
 namespace velum {
 
 /// The triangles that one octree node holds itself, or those of neighbouring nodes, ready to be drawn on
-/// their own: a short list of vertices, and indices. Drawing few nodes so transforms few vertices.
+/// their own: a short list of vertices, and indices. Drawing few nodes so transforms few vertices. A node's
+/// triangles stand in the order in which a plane sweeps over them.
 struct MeshCluster {
   std::span<const glm::vec3> positions;      ///< object space; of each node, each of the mesh's vertices once
   std::uint32_t first_position = 0;          ///< where they stand among all of MeshOctree::positions()
@@ -22,6 +24,7 @@ struct MeshCluster {
   /// The first, second, third corners' indices less first_position, modulo 65536; so many more can be read
   /// behind the last as corners_behind says. Of one node: of neighbouring nodes each counts its own.
   const std::uint16_t* corners[3] = {nullptr, nullptr, nullptr};
+  const std::uint16_t* windows = nullptr;  ///< of the corners, see corner_window.hpp; of one node only
 };
 inline constexpr std::size_t corners_behind = 16;
 
@@ -69,7 +72,7 @@ class MeshOctree {
 
  private:
   struct Span {
-    std::uint32_t first_position, position_count, first_triangle, triangle_count;
+    std::uint32_t first_position, position_count, first_triangle, triangle_count, first_window;
   };
   class Writer;
 
@@ -83,6 +86,7 @@ class MeshOctree {
   std::vector<std::uint32_t> cluster_of_triangle_;
   std::vector<std::uint32_t> parents_;
   std::vector<std::uint16_t> corners_[3];
+  std::vector<std::uint16_t> windows_;
 };
 
 }  // namespace velum

@@ -42,7 +42,13 @@ struct Left {
 Left left_of(Cluster cluster, LeaveOutEmpty version, int culled) {
   const std::size_t count = cluster.triangles.size();
   const auto vertices = static_cast<std::uint32_t>(cluster.placed.size()) - cluster.first_vertex;
-  for (std::vector<std::uint16_t>& corners : cluster.corners) corners.resize(count + 16);
+  std::vector<std::uint16_t> windows;
+  for (std::size_t i = 0; i < count; i += window_triangles) {
+    const auto from = [&](int v) { return cluster.corners[v].data() + i; };
+    windows.push_back(window_of_corners({from(0), from(1), from(2)}, std::min(window_triangles, count - i)));
+  }
+  // What stands behind is another cluster's.
+  for (std::vector<std::uint16_t>& corners : cluster.corners) corners.resize(count + 16, 65535);
   Left left{std::vector<std::uint32_t>(3 * count, untouched),
             std::vector<std::uint32_t>(count + kept_room, untouched)};
   std::vector<std::int32_t> packed(packed_room(vertices));
@@ -52,6 +58,7 @@ Left left_of(Cluster cluster, LeaveOutEmpty version, int culled) {
                vertices,
                cluster.indices.data(),
                {cluster.corners[0].data(), cluster.corners[1].data(), cluster.corners[2].data()},
+               windows.data(),
                cluster.triangles.data(),
                static_cast<std::uint32_t>(count),
                culled == 2,
@@ -78,6 +85,17 @@ Cluster random_cluster(Random& random, int vertices, int triangles, int size, bo
   for (int i = 0; i < vertices; ++i) cluster.placed.push_back({coordinate(x), coordinate(y)});
   const auto vertex = [&] { return static_cast<std::uint32_t>(random.below(vertices)); };
   for (int i = 0; i < triangles; ++i) cluster.add(vertex(), vertex(), vertex());
+  return cluster;
+}
+
+/// The same with corners near to each other, so that most triangles are looked up in windows.
+Cluster swept_cluster(Random& random, int vertices, int triangles, int size, int spread) {
+  Cluster cluster = random_cluster(random, vertices, 0, size);
+  for (int i = 0; i < triangles; ++i) {
+    const int first = (vertices - spread) * i / triangles;
+    const auto vertex = [&] { return static_cast<std::uint32_t>(first + random.below(spread)); };
+    cluster.add(vertex(), vertex(), vertex());
+  }
   return cluster;
 }
 
@@ -154,6 +172,26 @@ TEST_CASE("every kernel leaves out the same triangles as the plain loop") {
       }
     }
   }
+}
+
+TEST_CASE("every kernel looks vertices up in windows of neighbours as in the whole") {
+  Random random{8};
+  for (const int spread : {3, 16, 28, 33}) {
+    for (const int size : {40, 300, 3000}) {
+      CAPTURE(spread);
+      CAPTURE(size);
+      check_kernels(swept_cluster(random, 70, 100, size, spread));
+      check_kernels(swept_cluster(random, 500, 333, size, spread));
+    }
+  }
+}
+
+TEST_CASE("a window holds the corners of its triangles") {
+  const std::uint16_t a[3] = {7, 8, 9}, b[3] = {20, 9, 7}, c[3] = {38, 30, 31};
+  CHECK(window_of_corners({a, b, c}, 3) == 7);
+  const std::uint16_t far[3] = {38, 39, 31};
+  CHECK(window_of_corners({a, b, far}, 1) == 7);
+  CHECK(window_of_corners({a, b, far}, 3) == no_window);
 }
 
 TEST_CASE("nothing is left out where a vertex has no place, or where there are very many") {

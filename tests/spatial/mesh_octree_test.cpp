@@ -49,6 +49,26 @@ TEST_CASE("a mesh's clusters hold its triangles, each once") {
   }
 }
 
+TEST_CASE("neighbouring triangles of a cluster mostly have neighbouring vertices") {
+  const Mesh mesh = shapes::torus(1.0f, 0.4f, 120, 80);
+  const MeshOctree octree(mesh);
+  std::size_t all = 0, near = 0;
+  for (std::size_t i = 0; i < octree.cluster_count(); ++i) {
+    const MeshCluster cluster = octree.cluster(i);
+    for (std::size_t k = 0; k < cluster.triangles.size(); ++k) {
+      const std::uint16_t window = cluster.windows[k / window_triangles];
+      ++all;
+      if (window == no_window) continue;
+      ++near;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        CHECK(cluster.corners[corner][k] + cluster.first_position == cluster.indices[3 * k + corner]);
+        CHECK((cluster.corners[corner][k] >= window && cluster.corners[corner][k] < window + window_corners));
+      }
+    }
+  }
+  CHECK(near > all * 8 / 10);
+}
+
 TEST_CASE("triangles with a vertex that is not finite are in the last cluster") {
   Mesh mesh = shapes::cube();
   std::vector<glm::vec3> positions(mesh.positions.begin(), mesh.positions.end());
