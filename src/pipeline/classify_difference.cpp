@@ -89,17 +89,23 @@ struct DifferenceClassifier::SeenTriangle {
     return count == 2 && distance_to_segment(p, ends[0], ends[1]) <= snapping_reach;
   }
 
+  /// Whether the triangle is seen at a place where double cannot tell on which side of the near or far plane
+  /// it lies. Where far is many times near, a surface is so close to the far plane as soon as it is close for
+  /// the eye.
+  bool is_in_cut(const glm::dvec2& p) const {
+    const glm::dvec3 weights = weights_at(p);
+    const bool covers = (weights.x >= 0.0 && weights.y >= 0.0 && weights.z >= 0.0) ||
+                        (weights.x <= 0.0 && weights.y <= 0.0 && weights.z <= 0.0);
+    const double r = reversed_depth(p);
+    return covers && std::min(std::fabs(r), std::fabs(1.0 - r)) <= clip_rounding * inverse_w(p);
+  }
+
   /// The reversed depth r = 1 - z of the triangle's plane at a place on the picture, in double: of the point
   /// with that image on the plane through the three homogeneous vertices.
   double reversed_depth(const glm::dvec2& p) const {
-    const glm::dvec2 ndc = viewport.ndc_from_pixel(p.x, p.y);
-    const auto xyw = [](const glm::dvec4& q) { return glm::dvec3(q.x, q.y, q.w); };
-    const glm::dvec3 at(ndc.x, ndc.y, 1.0);
-    const double d0 = glm::dot(at, glm::cross(xyw(v[1]), xyw(v[2])));
-    const double d1 = glm::dot(at, glm::cross(xyw(v[2]), xyw(v[0])));
-    const double d2 = glm::dot(at, glm::cross(xyw(v[0]), xyw(v[1])));
-    const double w = d0 * v[0].w + d1 * v[1].w + d2 * v[2].w;
-    return (d0 * (v[0].w - v[0].z) + d1 * (v[1].w - v[1].z) + d2 * (v[2].w - v[2].z)) / w;
+    const glm::dvec3 weights = weights_at(p);
+    const glm::dvec3 r(v[0].w - v[0].z, v[1].w - v[1].z, v[2].w - v[2].z);
+    return glm::dot(weights, r) / glm::dot(weights, glm::dvec3(v[0].w, v[1].w, v[2].w));
   }
 
   /// The largest error of the float32 expression r = (r_ref + dx·Δx) + dy·Δy: each of its terms is rounded at
@@ -114,14 +120,19 @@ struct DifferenceClassifier::SeenTriangle {
 
   /// 1 / w of the triangle's plane at a place on the picture: how far an error of w - z moves r there.
   double inverse_w(const glm::dvec2& p) const {
+    const glm::dvec3 weights = weights_at(p);
+    const double w = glm::dot(weights, glm::dvec3(v[0].w, v[1].w, v[2].w));
+    return (std::fabs(weights.x) + std::fabs(weights.y) + std::fabs(weights.z)) / std::fabs(w);
+  }
+
+  /// The shares, up to one factor, with which the homogeneous vertices add up to the point of the triangle's
+  /// plane that has its image at a place on the picture. Of one sign: it lies in the triangle.
+  glm::dvec3 weights_at(const glm::dvec2& p) const {
     const glm::dvec2 ndc = viewport.ndc_from_pixel(p.x, p.y);
     const auto xyw = [](const glm::dvec4& q) { return glm::dvec3(q.x, q.y, q.w); };
     const glm::dvec3 at(ndc.x, ndc.y, 1.0);
-    const glm::dvec3 weights(glm::dot(at, glm::cross(xyw(v[1]), xyw(v[2]))),
-                             glm::dot(at, glm::cross(xyw(v[2]), xyw(v[0]))),
-                             glm::dot(at, glm::cross(xyw(v[0]), xyw(v[1]))));
-    const double w = glm::dot(weights, glm::dvec3(v[0].w, v[1].w, v[2].w));
-    return (std::fabs(weights.x) + std::fabs(weights.y) + std::fabs(weights.z)) / std::fabs(w);
+    return {glm::dot(at, glm::cross(xyw(v[1]), xyw(v[2]))), glm::dot(at, glm::cross(xyw(v[2]), xyw(v[0]))),
+            glm::dot(at, glm::cross(xyw(v[0]), xyw(v[1])))};
   }
 };
 
@@ -156,7 +167,11 @@ Agreement DifferenceClassifier::classify(int x, int y, std::uint32_t raster, std
   }
   for (const std::uint32_t id : {raster, ray}) {
     if (!is_triangle(id)) continue;
-    if (seen(id).is_near_cut(centre, true) || seen(id).is_near_cut(centre, false)) return Agreement::cut;
+    const SeenTriangle triangle = seen(id);
+    if (triangle.is_near_cut(centre, true) || triangle.is_near_cut(centre, false) ||
+        triangle.is_in_cut(centre)) {
+      return Agreement::cut;
+    }
   }
   if (!is_triangle(raster) || !is_triangle(ray)) return Agreement::unexplained;
   const SeenTriangle one = seen(raster), other = seen(ray);

@@ -1,5 +1,6 @@
 #include "camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../base/elementary.hpp"
@@ -32,6 +33,29 @@ void check_near_far(double near, double far, bool perspective) {
                 "near", "choose near < far");
   }
   check_finite(far - near, "far - near");
+}
+
+[[noreturn]] void refuse_range(const std::string& reason, double near, double far,
+                               const std::string& advice) {
+  throw Error(ErrorKind::usage, reason + " (near " + text_of(near) + ", far " + text_of(far) + ")", "near",
+              advice);
+}
+
+/// @pre 0 < near < far, finite
+void check_far_over_near(double near, double far) {
+  if (!(far / near > largest_far_over_near)) return;
+  refuse_range("far / near is more than " + text_of(largest_far_over_near) + ", which leaves depth no digits",
+               near, far, "choose a larger near or a smaller far");
+}
+
+/// @pre near < far, finite; window_height > 0
+void check_depth_in_windows(double near, double far, double window_height) {
+  const double farthest = std::max(std::fabs(near), std::fabs(far));
+  if (!(farthest / window_height > largest_depth_in_windows)) return;
+  refuse_range("near or far is more than " + text_of(largest_depth_in_windows) +
+                   " times the window's height " + text_of(window_height) +
+                   " away, which leaves depth no digits",
+               near, far, "choose near and far closer to the scene");
 }
 
 void check_ordered(double lower, double upper, const char* lower_name, const char* upper_name) {
@@ -87,6 +111,7 @@ Camera Camera::perspective(const Pose& pose, const PerspectiveLens& lens, double
   check_opening(lens.opening);
   check_finite(lens.shift, "lens shift");
   check_near_far(near, far, true);
+  check_far_over_near(near, far);
   if (aspect) check_positive(*aspect, "aspect");
   return Camera(pose, lens, near, far, aspect);
 }
@@ -96,6 +121,7 @@ Camera Camera::off_axis(const Pose& pose, const OffAxisFrustum& frustum, double 
   check_ordered(frustum.left, frustum.right, "left", "right");
   check_ordered(frustum.bottom, frustum.top, "bottom", "top");
   check_near_far(near, far, true);
+  check_far_over_near(near, far);
   const double aspect = (frustum.right - frustum.left) / (frustum.top - frustum.bottom);
   return Camera(pose, frustum, near, far, aspect);
 }
@@ -107,6 +133,7 @@ Camera Camera::parallel(const Pose& pose, const ParallelWindow& window, double n
   check_finite(window.shear, "shear");
   check_finite(window.focus, "focus");
   check_near_far(near, far, false);
+  check_depth_in_windows(near, far, window.height);
   if (aspect) check_positive(*aspect, "aspect");
   return Camera(pose, window, near, far, aspect);
 }

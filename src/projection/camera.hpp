@@ -70,6 +70,17 @@ struct ClipMatrix {
   ClipY y = ClipY::up;
 };
 
+/// The largest far / near of a perspective camera. After D, z and w of what is far away differ by near / far
+/// of themselves, and double keeps 16 digits of each: with more than this fewer than four would be left of
+/// what they differ by, which is depth, and what says on which side of the far plane a point lies. (A clip
+/// matrix whose far plane is at infinity loses depth in the same way at distances above near times this.)
+inline constexpr double largest_far_over_near = 1e12;
+
+/// The largest distance of the near and the far plane of a parallel camera, in heights of its window. Beyond,
+/// all that a window can show lies within 10^-10 of the depth range, less than float32 can tell apart; and a
+/// ray that starts on so distant a near plane would miss its pixel.
+inline constexpr double largest_depth_in_windows = 1e10;
+
 /// A camera: a pose, a lens or window, near and far, and optionally an aspect of its own.
 /// The camera looks down its own -z, its up is +y. Checked when made: a Camera that exists can be used.
 /// Source of the parameters: the lecture "Projektionen und Sichtbarkeit", after van Dam 2001.
@@ -80,7 +91,8 @@ class Camera {
   /// @param near, far  distances along the look vector, 0 < near < far (parallel: near < far, any sign)
   /// @param aspect     width / height of the picture; absent: that of the picture being rendered
   /// @throws Error (usage) naming the parameter: up parallel to look, near ≥ far, zero sizes, angles out of
-  /// range, values that are not finite
+  /// range, values that are not finite; perspective and off_axis: far / near >
+  /// largest_far_over_near; parallel: near or far more than largest_depth_in_windows·height away
   static Camera perspective(const Pose& pose, const PerspectiveLens& lens, double near, double far,
                             std::optional<double> aspect = {});
   static Camera off_axis(const Pose& pose, const OffAxisFrustum& frustum, double near, double far);

@@ -260,6 +260,33 @@ TEST_CASE("what cannot be a camera is refused with the parameter's name") {
   refuses("aspect", [] { Camera::perspective(pose, {}, 1, 2).viewing_transform(0.0); });
 }
 
+TEST_CASE("a camera whose depth would have no digits is refused, whatever its numbers") {
+  const auto refuses = [](auto make) {
+    try {
+      make();
+      FAIL("accepted");
+    } catch (const Error& error) {
+      CHECK(std::string(error.what()).find("leaves depth no digits (near ") != std::string::npos);
+    }
+  };
+  for (const double near : {1e-60, 1e-3, 1.0, 1e60}) {
+    const double most = near * largest_far_over_near;
+    CAPTURE(near);
+    CHECK_NOTHROW(Camera::perspective(pose, {}, near, most * 0.999));
+    CHECK_NOTHROW(Camera::off_axis(pose, {-near, near, -near, near}, near, most * 0.999));
+    for (const double far : {most * 1.001, most * 1e4, most * 1e90}) {
+      refuses([&] { Camera::perspective(pose, {}, near, far); });
+      refuses([&] { Camera::off_axis(pose, {-near, near, -near, near}, near, far); });
+    }
+  }
+  const double deepest = 3.0 * largest_depth_in_windows;
+  const ParallelWindow window{3.0, {}, 0.0};
+  CHECK_NOTHROW(Camera::parallel(pose, window, -0.999 * deepest, 0.999 * deepest));
+  refuses([&] { Camera::parallel(pose, window, 0.0, 1.001 * deepest); });
+  refuses([&] { Camera::parallel(pose, window, -1.001 * deepest, 0.0); });
+  refuses([&] { Camera::parallel(pose, window, -1e200, 1e200); });
+}
+
 TEST_CASE("an aspect of the camera's own is kept within the tolerance") {
   const Camera camera = Camera::perspective(pose, {}, 1, 2, 1.5);
   CHECK_NOTHROW(camera.viewing_transform(1.5));
