@@ -68,6 +68,7 @@ int run_check(const Options& options) {
   const std::vector<Verdict> on_rays = verdicts_on(rays);
   verdicts.insert(verdicts.end(), on_rays.begin(), on_rays.end());
   print(table_of(rays.rows), options);
+  print(table_of(rays.structures), options);
   print(table_of(verdicts), options);
   write_text(options.out / "check.csv", csv_of(rows));
   write_text(options.out / "check.svg", bar_chart_of(figures.frames, circumstances(options)));

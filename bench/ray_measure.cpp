@@ -128,6 +128,7 @@ void measure_rays(const BenchScene& bench, const MeasureOptions& options, RayFig
   figures.memory.push_back({bench.name, mesh.triangles.size(),
                             static_cast<std::int64_t>(contenders.velum->memory()),
                             contenders.robust ? contenders.robust->memory() : 0});
+  measure_structures(bench, loads, contenders.robust.get(), options, figures.structures);
 }
 
 }  // namespace velum_bench

@@ -9,6 +9,7 @@
 
 #include "measure.hpp"
 #include "plots.hpp"
+#include "structure_measure.hpp"
 #include "verdicts.hpp"
 
 namespace velum_bench {
@@ -38,6 +39,7 @@ struct RayMemory {
 struct RayFigures {
   std::vector<RayRow> rows;
   std::vector<RayMemory> memory;
+  std::vector<StructureRow> structures;
   std::vector<ThreadRow> threads;  ///< pictures by ray casting
 };
 

@@ -102,6 +102,8 @@ std::vector<Verdict> verdicts_on(const RayFigures& figures) {
   }
   for (const RayMemory& memory : figures.memory) verdicts.push_back(on_memory(memory));
   for (const ThreadRow& row : figures.threads) verdicts.push_back(on_threads(row));
+  const std::vector<Verdict> on_structures = verdicts_on(figures.structures);
+  verdicts.insert(verdicts.end(), on_structures.begin(), on_structures.end());
   return verdicts;
 }
 

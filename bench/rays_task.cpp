@@ -33,9 +33,11 @@ int run_rays(const Options& options) {
   print_circumstances(options);
   const RayFigures figures = measure_ray_scenes(options);
   print(table_of(figures.rows), options);
+  print(table_of(figures.structures), options);
   const std::vector<Verdict> verdicts = verdicts_on(figures);
   print(table_of(verdicts), options);
   write_text(options.out / "rays.csv", csv_of(figures.rows));
+  write_text(options.out / "structures.csv", csv_of(figures.structures));
   return all_pass(verdicts) ? 0 : 1;
 }
 
