@@ -129,16 +129,17 @@ Claim claim_moving_scenes(const Effort& effort) {
                  " triangles is wrung over some frames, a little and a lot; " + std::to_string(rays) +
                  " random lines a frame. Differences within 5 % count as none: times vary by as much.";
   constexpr double tolerance = 1.05;
-  bool holds = true;
+  int held = 0, motions = 0;
   for (const auto& [name, turns] : {std::pair{"a little", 0.5}, std::pair{"a lot", 5.0}}) {
     const std::vector<Triangles> frames = wrung_torus(effort.is_quick ? 3 : 16, segments, turns);
     const Winner winner = add_motion(name, frames, rays, claim);
-    holds = holds && winner.best_bvh <= tolerance * winner.best_other;
-    claim.reason += std::string("Wrung ") + name + ": best hierarchy " + short_figure(winner.best_bvh) +
-                    " ms a frame, best other structure " + short_figure(winner.best_other) +
-                    " ms; least: " + winner.name + ". ";
+    held += winner.best_bvh <= tolerance * winner.best_other ? 1 : 0;
+    ++motions;
+    claim.reason += std::string(claim.reason.empty() ? "" : " ") + "Wrung " + name + ": best hierarchy " +
+                    short_figure(winner.best_bvh) + " ms a frame, best other structure " +
+                    short_figure(winner.best_other) + " ms; least: " + winner.name + ".";
   }
-  claim.verdict = holds ? Verdict::holds : Verdict::does_not_hold;
+  claim.verdict = held == motions ? Verdict::holds : held > 0 ? Verdict::in_part : Verdict::does_not_hold;
   return claim;
 }
 

@@ -69,6 +69,11 @@ bool has_only_triangles(const Subject& subject) {
          !subject.world.triangles.empty();
 }
 
+/// 1 + 2 + 4 + … + 2^depth
+double tree_of(int depth) {
+  return std::pow(2.0, depth + 1) - 1.0;
+}
+
 }  // namespace
 
 Claim claim_number_of_rays(const std::vector<Subject>& subjects, const Effort& effort) {
@@ -83,12 +88,15 @@ Claim claim_number_of_rays(const std::vector<Subject>& subjects, const Effort& e
       "1)";
   claim.method =
       "A picture of 48×36, s = 1, m = 2 lights; every surface is taken to mirror and to let light through. "
-      "Rays that meet nothing ask no light and send nothing on.";
-  LogPlot plot{
-      "Rays over the depth of recursion", "48×36 pixels, 2 lights", "1 + depth", "rays", {{"the bound", {}}}};
+      "Rays that meet nothing ask no light and send nothing on. The bound is a line of slope 1.";
+  LogPlot plot{"Rays over the depth of recursion",
+               "48×36 pixels, 2 lights",
+               "1 + 2 + 4 + … + 2^depth",
+               "rays",
+               {{"the bound", {}}}};
   for (int d = 0; d <= most_depth; ++d) {
-    const double bound = width * height * (1.0 + lights) * (std::pow(2.0, d + 1) - 1.0);
-    plot.series[0].points.push_back({1.0 + d, bound});
+    const double bound = width * height * (1.0 + lights) * tree_of(d);
+    plot.series[0].points.push_back({tree_of(d), bound});
   }
   double most_share = 0.0, deepest_share = 0.0;
   for (const Subject& subject : subjects) {
@@ -98,7 +106,7 @@ Claim claim_number_of_rays(const std::vector<Subject>& subjects, const Effort& e
     for (int d = 0; d <= most_depth; ++d) {
       Counter counter(subject);
       for (const ViewRay& ray : rays) counter.trace(ray.ray, ray.range, d);
-      series.points.push_back({1.0 + d, counter.rays});
+      series.points.push_back({tree_of(d), counter.rays});
       most_share = std::max(most_share, counter.rays / plot.series[0].points[static_cast<std::size_t>(d)].y);
     }
     deepest_share = std::max(deepest_share, series.points.back().y / plot.series[0].points.back().y);
