@@ -8,6 +8,7 @@
 #include <velum/velum.hpp>
 
 #include "input.hpp"
+#include "outputs.hpp"
 
 namespace velum_app {
 namespace {
@@ -29,6 +30,7 @@ constexpr const char* footer =
     "  velum claims bunny.obj castle.ply -o claims.html";
 
 int run(const ClaimsOptions& o) {
+  check_outputs({{OutputKind::page, "-o", o.output}});
   std::vector<velum_claims::Subject> subjects;
   for (const std::string& input : o.inputs) {
     subjects.push_back(velum_claims::subject_of(stem_of(input), read_scene(input)));
@@ -40,7 +42,7 @@ int run(const ClaimsOptions& o) {
   const std::vector<velum_claims::Claim> claims = velum_claims::test_claims(subjects, {o.quick}, tell);
   const std::string page = velum_claims::page_of(claims, subjects);
   write_file(o.output, std::as_bytes(std::span(page)));
-  if (o.quiet) return exit_ok;
+  if (o.quiet || o.output == "-") return exit_ok;
   for (const velum_claims::Claim& claim : claims) {
     std::cout << velum_claims::name_of(claim.verdict) << ": " << claim.title << "\n    " << claim.reason
               << '\n';

@@ -26,6 +26,8 @@ std::vector<std::string_view> extensions_of(OutputKind kind) {
       return {".npy", ".png"};
     case OutputKind::report:
       return {".json"};
+    case OutputKind::page:
+      return {".html", ".htm"};
   }
   return {};
 }
@@ -175,6 +177,7 @@ void write_output(const Output& output, const Picture& picture) {
     case OutputKind::triangle_ids:
       return write_ids(output, picture.triangle_id);
     case OutputKind::report:
+    case OutputKind::page:
       return;
   }
 }

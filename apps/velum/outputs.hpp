@@ -9,7 +9,7 @@
 
 namespace velum_app {
 
-enum class OutputKind { colour, depth, metric_depth, normals, object_ids, triangle_ids, report };
+enum class OutputKind { colour, depth, metric_depth, normals, object_ids, triangle_ids, report, page };
 
 /// A file that `velum render` was asked to write.
 struct Output {
@@ -31,7 +31,8 @@ void check_json_is_alone(const std::vector<Output>& outputs, bool prints_json);
 /// @throws velum::Error (usage) naming the PNG
 void check_png_sizes(const std::vector<Output>& outputs, const Size& size, bool opaque);
 
-/// Writes one output, whole or not at all. @pre checked, and not the report. @throws velum::Error (write)
+/// Writes one output, whole or not at all. @pre checked, and neither report nor page. @throws velum::Error
+/// (write)
 void write_output(const Output& output, const velum::Picture& picture);
 
 /// The same for a drawing that is no part of a Picture. @pre output.kind is colour

@@ -60,7 +60,7 @@ Rect requested_rect(const RenderSettings& settings) {
 void check_pixel(const Rect& rect, int x, int y) {
   if (rect.contains(x, y)) return;
   throw Error(ErrorKind::usage,
-              "the pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture", "at",
+              "the pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture", "pixel",
               "give x from " + std::to_string(rect.left) + " to " + std::to_string(rect.right() - 1) +
                   " and y from " + std::to_string(rect.top) + " to " + std::to_string(rect.bottom() - 1));
 }

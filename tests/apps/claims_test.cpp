@@ -1,6 +1,8 @@
 // velum claims: the page of what the lectures claim.
 #include <doctest/doctest.h>
 
+#include <tuple>
+
 #include "run_program.hpp"
 
 namespace {
@@ -36,4 +38,16 @@ TEST_CASE("velum claims measures the scenes it is given, empty and single triang
   CHECK(place.velum("claims --quick --quiet builtin:cube one.obj none.obj -o page.html").code == 0);
   CHECK(contains(place.read("page.html"), "cube (12 triangles), one (1 triangles)"));
   CHECK(place.velum("claims --quick missing.obj -o page.html").code == 3);
+}
+
+TEST_CASE("velum claims refuses a page that cannot be written before it measures anything") {
+  const Workplace place;
+  for (const auto& [output, code, why] :
+       {std::tuple{"nowhere/page.html", 4, "there is no folder"}, std::tuple{"page.png", 2, ".html"}}) {
+    const Outcome outcome = place.velum(std::string("claims --quick -o ") + output);
+    CHECK(outcome.code == code);
+    CHECK(contains(outcome.err, why));
+    CHECK_FALSE(contains(outcome.err, "growth with n"));
+  }
+  CHECK(contains(place.velum("claims --quick --quiet -o -").out, "</html>"));
 }
