@@ -4,6 +4,15 @@
 
 namespace velum {
 
+void Picture::resize(int width, int height) {
+  colour.resize(width, height);
+  depth.resize(width, height);
+  metric_depth.resize(width, height);
+  normal.resize(width, height);
+  object_id.resize(width, height);
+  triangle_id.resize(width, height);
+}
+
 double Picture::coverage() const {
   if (triangle_id.is_empty()) return 0.0;
   std::uint64_t covered = 0;

@@ -21,6 +21,8 @@ struct Picture {
       triangle_id;  ///< primitive id: the triangle's place in the scene; background 0xFFFFFFFF
   Counters counters;
 
+  /// Gives every image this size; the pixels have no meaning yet.
+  void resize(int width, int height);
   /// The share of pixels that show a surface, 0…1.
   double coverage() const;
   /// The smallest rectangle around all pixels that show a surface; empty for none.

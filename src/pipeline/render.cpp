@@ -212,12 +212,7 @@ Counters render_frame(Renderer::Buffers& buffers, const Scene& scene, const Came
 
 /// Gives the picture its size and returns views of all its outputs.
 PictureTarget target_of(Picture& picture, const Rect& rect) {
-  picture.colour.resize(rect.width, rect.height);
-  picture.depth.resize(rect.width, rect.height);
-  picture.metric_depth.resize(rect.width, rect.height);
-  picture.normal.resize(rect.width, rect.height);
-  picture.object_id.resize(rect.width, rect.height);
-  picture.triangle_id.resize(rect.width, rect.height);
+  picture.resize(rect.width, rect.height);
   return {picture.colour.view(), picture.depth.view(),     picture.metric_depth.view(),
           picture.normal.view(), picture.object_id.view(), picture.triangle_id.view()};
 }

@@ -128,15 +128,6 @@ class AnalyticPixels {
   const glm::vec4 background_;
 };
 
-void resize(Picture& picture, const Rect& rect) {
-  picture.colour.resize(rect.width, rect.height);
-  picture.depth.resize(rect.width, rect.height);
-  picture.metric_depth.resize(rect.width, rect.height);
-  picture.normal.resize(rect.width, rect.height);
-  picture.object_id.resize(rect.width, rect.height);
-  picture.triangle_id.resize(rect.width, rect.height);
-}
-
 }  // namespace
 
 Picture render_analytic(const Scene& scene, std::span<const AnalyticBody> bodies, const Camera& camera,
@@ -151,7 +142,7 @@ Picture render_analytic(const Scene& scene, std::span<const AnalyticBody> bodies
   const bool is_alone = settings.shader && !settings.inlined_shader;
   Executor executor(is_alone ? 1 : settings.threads, settings.executor);
   Picture picture;
-  resize(picture, rect);
+  picture.resize(rect.width, rect.height);
   const AnalyticPixels pixels({scene, camera, viewing, settings, rect, executor}, bodies);
   picture.counters.instances = scene.instances().size();
   picture.counters.rays = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);

@@ -31,7 +31,6 @@ class KeptFragments {
   /// Those from number i on.
   FragmentArrays from(std::size_t i) { return {place_.data() + i, depth_.data() + i, primitive_.data() + i}; }
   ConstFragmentArrays all() const { return {place_.data(), depth_.data(), primitive_.data()}; }
-  RasterFragment operator[](std::size_t i) const { return {place_[i], depth_[i], primitive_[i]}; }
 
  private:
   KeptArray<std::uint32_t> place_;

@@ -145,10 +145,10 @@ Expected by_the_plain_path(const Case& c) {
 
 /// The kernel writes fragments by vectors, in another order.
 std::vector<std::array<std::uint32_t, 3>> sorted(const KeptFragments& fragments, std::size_t count) {
+  const ConstFragmentArrays all = fragments.all();
   std::vector<std::array<std::uint32_t, 3>> words;
   for (std::size_t i = 0; i < count; ++i) {
-    words.push_back(
-        {fragments[i].primitive, fragments[i].place, static_cast<std::uint32_t>(fragments[i].depth)});
+    words.push_back({all.primitive[i], all.place[i], static_cast<std::uint32_t>(all.depth[i])});
   }
   std::sort(words.begin(), words.end());
   return words;
