@@ -21,21 +21,28 @@ void by_reference(benchmark::State& state, const Subject& subject) {
   }
 }
 
-std::vector<PlacedVertex> placed_by_kernel(const Subject& subject, Isa isa) {
-  std::vector<PlacedVertex> placed(subject.mesh.positions.size());
-  transform_kernel(isa)({&subject.mesh.positions[0].x, placed.size(),
-                         glm::value_ptr(subject.clip_from_object), subject.viewport.width,
-                         subject.viewport.height, nullptr, nullptr, placed.data()});
+struct Placed {
+  std::vector<PlacedVertex> vertices;
+  std::vector<float> nearness;
+};
+
+Placed placed_by_kernel(const Subject& subject, Isa isa) {
+  const std::size_t count = subject.mesh.positions.size();
+  Placed placed{std::vector<PlacedVertex>(count), std::vector<float>(count)};
+  transform_kernel(isa)({&subject.mesh.positions[0].x, count, glm::value_ptr(subject.clip_from_object),
+                         subject.viewport.width, subject.viewport.height, nullptr, nullptr,
+                         placed.vertices.data(), placed.nearness.data()});
   return placed;
 }
 
-SetUpWork work_of(const Subject& subject, const std::vector<PlacedVertex>& placed) {
+SetUpWork work_of(const Subject& subject, const Placed& placed) {
   const Rect rect = subject.rect();
   SetUpWork work{};
   work.indices = &subject.mesh.triangles[0].x;
   work.positions = &subject.mesh.positions[0].x;
   work.clip_from_object = glm::value_ptr(subject.clip_from_object);
-  work.placed = placed.data();
+  work.placed = placed.vertices.data();
+  work.nearness = placed.nearness.data();
   work.width = rect.width;
   work.height = rect.height;
   work.target_right = rect.right();
@@ -47,23 +54,26 @@ SetUpWork work_of(const Subject& subject, const std::vector<PlacedVertex>& place
 
 void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
   constexpr std::uint32_t batch = 4096;  // as many as stay in cache, like a frame's batches
-  const std::vector<PlacedVertex> placed = placed_by_kernel(subject, isa);
+  const Placed placed = placed_by_kernel(subject, isa);
   ScreenPrimitives out;
   out.make_room(batch);
+  out.make_room_for_ready(batch);
   std::vector<std::uint32_t> slow(batch);
   SetUpWork work = work_of(subject, placed);
   work.large = out.large.data();
-  work.small = out.small.data();
   work.small_bounds = out.small_bounds.data();
+  work.small_refs = out.small_refs.data();
   work.fragments = out.fragments.from(0);
   work.slow = slow.data();
   const SetUpTriangles set_up = set_up_kernel(isa);
+  const SmallSource::SetUp set_up_small = set_up_small_kernel(isa);
   const auto count = static_cast<std::uint32_t>(subject.mesh.triangles.size());
   Counters counters;
   for (auto _ : state) {
     for (work.first = 0; work.first < count; work.first = work.last) {
       work.last = std::min(count, work.first + batch);
-      benchmark::DoNotOptimize(set_up(work, counters));
+      const SetUpResult result = set_up(work, counters);
+      set_up_small(&work, out.small_refs.data(), result.small, out.small.data());
     }
     benchmark::ClobberMemory();
   }

@@ -28,7 +28,7 @@ void by_kernel(benchmark::State& state, const Subject& subject, Isa isa) {
   const TransformVertices transform = transform_kernel(isa);
   for (auto _ : state) {
     transform({&subject.mesh.positions[0].x, placed.size(), glm::value_ptr(subject.clip_from_object),
-               subject.viewport.width, subject.viewport.height, nullptr, nullptr, placed.data()});
+               subject.viewport.width, subject.viewport.height, nullptr, nullptr, placed.data(), nullptr});
     benchmark::ClobberMemory();
   }
 }

@@ -40,6 +40,12 @@ HWY_INLINE ClipVector clip_position(const double* m, hn::Vec<NarrowFloats> px, h
   return {row_of(m, 0, x, y, z), row_of(m, 1, x, y, z), row_of(m, 2, x, y, z), row_of(m, 3, x, y, z)};
 }
 
+/// r kept in [0, 1]; 0 for no number.
+HWY_INLINE Double unit(Double r) {
+  const Double one = hn::Set(doubles, 1.0);
+  return hn::IfThenElseZero(hn::Gt(r, hn::Zero(doubles)), hn::IfThenElse(hn::Lt(r, one), r, one));
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace velum

@@ -132,6 +132,7 @@ class TiledClusters : public ClusterDrawer {
   const TransformVertices transform_;
   const LeaveOutEmpty leave_out_empty_;
   const SetUpTriangles set_up_;
+  const SmallSource::SetUp set_up_small_;
   const TileRaster raster_;
 };
 

@@ -10,6 +10,7 @@
 #include "../base/isa.hpp"
 #include "../visibility/raster_triangle.hpp"
 #include "../visibility/tile_grid.hpp"
+#include "../visibility/tile_raster.hpp"
 
 namespace velum {
 
@@ -33,6 +34,7 @@ struct TransformWork {
   double* clip;            ///< out: x, y, z, w per vertex; nullptr: not wanted
   std::uint8_t* outcodes;  ///< out; nullptr: not wanted
   PlacedVertex* placed;    ///< out
+  float* nearness;  ///< out: the reversed depth in [0,1] of vertices that have a place; nullptr: not wanted
 };
 using TransformVertices = void (*)(const TransformWork& work);
 
@@ -46,7 +48,9 @@ struct SetUpWork {
   const float* positions;          ///< of the whole mesh: x, y, z per vertex, object space
   const double* clip_from_object;  ///< 16, column by column
   const PlacedVertex* placed;      ///< of the whole mesh, as TransformWork gave it
-  int width;                       ///< of the whole picture, pixels
+  const float* nearness;  ///< of the whole mesh, as TransformWork gave it; nullptr: SmallBounds::nearest
+                          ///< is left to the caller
+  int width;              ///< of the whole picture, pixels
   int height;
   int target_left, target_top, target_right, target_bottom;  ///< the pixels wanted
   int tile_columns;                                          ///< see TileGrid
@@ -57,10 +61,11 @@ struct SetUpWork {
   bool is_back_positive;     ///< which sign faces away
   // Out; each triangle becomes what is_small() and its box say.
   RasterTriangle* large;      ///< room for last - first
-  SmallTriangle* small;       ///< room for last - first
-  SmallBounds* small_bounds;  ///< of `small`; room for last - first + bounds_room
-  FragmentArrays fragments;   ///< room for fragments_room(last - first)
-  std::uint32_t* slow;        ///< triangles with a vertex that is not placed; room for last - first
+  SmallBounds* small_bounds;  ///< room for last - first + bounds_room
+  std::uint32_t* small_refs;  ///< of the same triangles: first_ref and how many come before from `first` on
+  std::uint32_t first_ref;
+  FragmentArrays fragments;  ///< room for fragments_room(last - first)
+  std::uint32_t* slow;       ///< triangles with a vertex that is not placed; room for last - first
 };
 
 /// How many of each were written: those with area whose box holds a pixel centre of the target.
@@ -76,5 +81,7 @@ using SetUpTriangles = SetUpResult (*)(const SetUpWork& work, Counters& counters
 /// The kernels for an instruction set. @pre is_available(isa), and not `reference`
 TransformVertices transform_kernel(Isa isa);
 SetUpTriangles set_up_kernel(Isa isa);
+/// Its work is a SetUpWork; triangles are counted from `first` on.
+SmallSource::SetUp set_up_small_kernel(Isa isa);
 
 }  // namespace velum

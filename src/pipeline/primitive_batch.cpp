@@ -20,6 +20,7 @@ SetUpWork work_of(const BatchInput& input, const TriangleList& triangles, Screen
   work.positions = &triangles.positions->x;
   work.clip_from_object = glm::value_ptr(triangles.clip_from_object);
   work.placed = triangles.placed;
+  work.nearness = triangles.nearness;
   work.width = input.settings.width;
   work.height = input.settings.height;
   work.target_left = target.left;
@@ -31,11 +32,28 @@ SetUpWork work_of(const BatchInput& input, const TriangleList& triangles, Screen
   work.sample_y = static_cast<float>(input.sample.y) / subpixels;
   set_culling(work, input.settings.cull, triangles.is_mirrored);
   work.large = out.large.data() + out.large_count;
-  work.small = out.small.data() + out.small_count;
   work.small_bounds = out.small_bounds.data() + out.small_count;
+  work.small_refs = out.small_refs.data() + out.small_count;
+  work.first_ref = out.next_ref();
   work.fragments = out.fragments.from(out.fragment_count);
   work.slow = scratch.slow.data();
   return work;
+}
+
+/// Sets up what the kernel found to be small, behind the first small_count. @param work  what the kernel was
+/// told
+void set_up_small_at_once(const BatchInput& input, const SetUpWork& work, std::size_t count,
+                          ScreenPrimitives& out) {
+  out.make_room_for_ready(count);
+  SmallTriangle* const ready = out.small.data() + out.ready_count;
+  std::uint32_t* const refs = out.small_refs.data() + out.small_count;
+  for (std::size_t i = 0; i < count; ++i) refs[i] -= work.first_ref;
+  input.set_up_small(&work, refs, count, ready);
+  for (std::size_t i = 0; i < count; ++i) {
+    out.small_bounds[out.small_count + i].nearest = ready[i].upper;
+    refs[i] = ready_small | static_cast<std::uint32_t>(out.ready_count + i);
+  }
+  out.ready_count += count;
 }
 
 /// The first `count` triangles of scratch.slow, by the plain stages.
@@ -73,6 +91,7 @@ struct RunSetUp {
   const PlacedVertices& vertices;
   const PrimitiveRun& run;
   Counters& counters;
+  SetUpWork& work;
   ScreenPrimitives& out;
   BatchScratch& scratch;
   const Instance& instance = input.scene.instances()[run.instance];
@@ -81,11 +100,11 @@ struct RunSetUp {
   const Viewport viewport{input.settings.width, input.settings.height};
 
   void set_up_run_triangles() {
-    set_up_triangles(
-        input,
-        {&mesh.triangles[0].x, run.first, run.last, first_primitive, nullptr, &mesh.positions[0],
-         vertices.placed.data(), vertices.clip_from_object, is_mirroring(instance.world_from_object)},
-        out, scratch, counters);
+    set_up_triangles(input,
+                     {&mesh.triangles[0].x, run.first, run.last, first_primitive, nullptr, &mesh.positions[0],
+                      vertices.placed.data(), vertices.nearness.data(), vertices.clip_from_object,
+                      is_mirroring(instance.world_from_object)},
+                     work, out, scratch, counters);
   }
 
   void set_up_segments() {
@@ -130,11 +149,17 @@ void set_culling(SetUpWork& work, Cull cull, bool mirrored) {
   work.cull_zero = culls_front;  // edge-on counts as front-facing
 }
 
-void set_up_triangles(const BatchInput& input, const TriangleList& triangles, ScreenPrimitives& out,
-                      BatchScratch& scratch, Counters& counters) {
+void set_up_triangles(const BatchInput& input, const TriangleList& triangles, SetUpWork& work,
+                      ScreenPrimitives& out, BatchScratch& scratch, Counters& counters) {
   scratch.slow.make_room(triangles.count());
   out.make_room(triangles.count());
-  const SetUpResult result = input.set_up(work_of(input, triangles, out, scratch), counters);
+  work = work_of(input, triangles, out, scratch);
+  const SetUpResult result = input.set_up(work, counters);
+  if (triangles.nearness == nullptr) {
+    set_up_small_at_once(input, work, result.small, out);
+  } else {
+    out.sources.push_back({input.set_up_small, &work, work.first_ref, work.first_ref + triangles.count()});
+  }
   out.large_count += result.large;
   out.small_count += result.small;
   out.fragment_count += result.fragments;
@@ -144,14 +169,17 @@ void set_up_triangles(const BatchInput& input, const TriangleList& triangles, Sc
   append_screen_triangles(input, out, scratch, counters);
 }
 
-void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,
+void set_up_batch(const BatchInput& input, const std::deque<PlacedVertices>& vertices, PrimitiveBatch& batch,
                   BatchScratch& scratch) {
   batch.counters = {};
   batch.primitives.clear();
   batch.primitives.make_room(batch.count);
   scratch.screen_triangles.clear();
-  for (const PrimitiveRun& run : batch.runs) {
-    RunSetUp{input, vertices[run.vertices], run, batch.counters, batch.primitives, scratch}.set_up_run();
+  batch.works.resize(batch.runs.size());
+  for (std::size_t i = 0; i < batch.runs.size(); ++i) {
+    const PrimitiveRun& run = batch.runs[i];
+    RunSetUp{input, vertices[run.vertices], run, batch.counters, batch.works[i], batch.primitives, scratch}
+        .set_up_run();
     append_screen_triangles(input, batch.primitives, scratch, batch.counters);
   }
   batch.bins.sort(batch.primitives, input.grid);

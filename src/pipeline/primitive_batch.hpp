@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <deque>
 #include <vector>
 
 #include "../visibility/sample_positions.hpp"
@@ -15,6 +15,7 @@ namespace velum {
 struct PlacedVertices {
   glm::dmat4 clip_from_object;
   std::vector<PlacedVertex> placed;
+  std::vector<float> nearness;  ///< see TransformWork
   ClipVertices clip;  ///< only where the mesh has segments or points: the others' are formed when needed
 };
 
@@ -22,7 +23,7 @@ struct PlacedVertices {
 struct PrimitiveRun {
   std::uint32_t instance = 0;
   PrimitiveKind kind = PrimitiveKind::triangle;
-  std::uint32_t vertices = 0;  ///< which of the wave's PlacedVertices
+  std::uint32_t vertices = 0;  ///< which of the PlacedVertices
   std::uint32_t first = 0;     ///< primitives first … last-1 among those of the kind
   std::uint32_t last = 0;
 
@@ -32,10 +33,11 @@ struct PrimitiveRun {
 /// What one worker sets up and sorts into tiles in one go.
 struct PrimitiveBatch {
   std::vector<PrimitiveRun> runs;
-  std::uint32_t count = 0;      ///< of primitives in the runs
-  ScreenPrimitives primitives;  ///< out
-  TileBins bins;                ///< out: of the primitives
-  Counters counters;            ///< out: of these primitives
+  std::uint32_t count = 0;       ///< of primitives in the runs
+  ScreenPrimitives primitives;   ///< out
+  std::vector<SetUpWork> works;  ///< out: what sets up its small triangles when they are drawn, run by run
+  TileBins bins;                 ///< out: of the primitives
+  Counters counters;             ///< out: of these primitives
 
   void clear() {
     runs.clear();
@@ -49,6 +51,7 @@ struct BatchInput {
   const RenderSettings& settings;
   const TileGrid& grid;
   SetUpTriangles set_up;
+  SmallSource::SetUp set_up_small;
   SamplePosition sample = pixel_centre;
 };
 
@@ -70,6 +73,9 @@ struct TriangleList {
   const std::uint32_t* primitives;  ///< see SetUpWork
   const glm::vec3* positions;       ///< object space
   const PlacedVertex* placed;       ///< the same vertices on the picture
+  /// Where given, small triangles wait in out.sources: nothing they are made of may change before they are
+  /// drawn. Where not, they are set up at once.
+  const float* nearness;  ///< see TransformWork
   const glm::dmat4& clip_from_object;
   bool is_mirrored;
 
@@ -82,12 +88,13 @@ struct TriangleList {
 
 /// Appends what becomes of the triangles: by the kernel, and by the plain stages where a vertex has no place.
 /// Those go to scratch.screen_triangles first, which is emptied.
-void set_up_triangles(const BatchInput& input, const TriangleList& triangles, ScreenPrimitives& out,
-                      BatchScratch& scratch, Counters& counters);
+/// @param work  out: what the kernel was told
+void set_up_triangles(const BatchInput& input, const TriangleList& triangles, SetUpWork& work,
+                      ScreenPrimitives& out, BatchScratch& scratch, Counters& counters);
 
 /// Fills the batch's bins and counters.
-/// @param vertices  those of the wave
-void set_up_batch(const BatchInput& input, std::span<const PlacedVertices> vertices, PrimitiveBatch& batch,
+/// @param vertices  of all instances that the runs are of; they stay as they are until the batch is drawn
+void set_up_batch(const BatchInput& input, const std::deque<PlacedVertices>& vertices, PrimitiveBatch& batch,
                   BatchScratch& scratch);
 
 /// Translates facing into the signs of the determinant that work's flags are about.

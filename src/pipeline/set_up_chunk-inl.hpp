@@ -35,9 +35,9 @@ struct Chunk {
 struct TriangleLanes {
   Int x[3], y[3];
 };
-HWY_INLINE TriangleLanes load_triangles(const Chunk& chunk, std::size_t first) {
+HWY_INLINE TriangleLanes load_triangles(const std::int32_t (&xy)[3][2 * chunk_room], std::size_t first) {
   TriangleLanes t;
-  for (int v = 0; v < 3; ++v) hn::LoadInterleaved2(ints, chunk.xy[v] + 2 * first, t.x[v], t.y[v]);
+  for (int v = 0; v < 3; ++v) hn::LoadInterleaved2(ints, xy[v] + 2 * first, t.x[v], t.y[v]);
   return t;
 }
 
@@ -45,6 +45,13 @@ HWY_INLINE TriangleLanes load_triangles(const Chunk& chunk, std::size_t first) {
 struct ChunkList {
   HWY_ALIGN std::int32_t place[chunk_room];
   std::size_t count = 0;
+};
+
+/// Large triangles, by places and by coordinates, 1/256 pixel.
+struct LargeList {
+  ChunkList list;
+  HWY_ALIGN std::int32_t x[3][chunk_room];
+  HWY_ALIGN std::int32_t y[3][chunk_room];
 };
 
 /// Vertices of a mesh stand anywhere in memory: those of as many triangles on are asked for beforehand. Those
@@ -84,6 +91,22 @@ HWY_INLINE void fetch_vertices(const SetUpWork& work, const Chunk& chunk, const 
           work.positions + 3 * static_cast<std::size_t>(work.indices[3 * triangle + v]);
       hwy::CopyBytes<8>(position, out.position[v] + 4 * i);
       hwy::CopyBytes<4>(position + 2, out.position[v] + 4 * i + 2);
+    }
+  }
+}
+
+/// Fetches the triangles of the given numbers and what follows them to the end of a vector, which repeats the
+/// last: it is computed, never used. @pre 0 < count ≤ chunk_size
+HWY_INLINE void fetch_listed(const SetUpWork& work, const std::uint32_t* triangles, std::size_t count,
+                             std::int32_t (&xy)[3][2 * chunk_room], FetchedVertices& out) {
+  const std::size_t end = (count + hn::Lanes(ints) - 1) / hn::Lanes(ints) * hn::Lanes(ints);
+  for (std::size_t i = 0; i < end; ++i) {
+    const auto triangle = static_cast<std::size_t>(triangles[HWY_MIN(i, count - 1)]);
+    for (std::size_t v = 0; v < 3; ++v) {
+      const auto vertex = static_cast<std::size_t>(work.indices[3 * triangle + v]);
+      hwy::CopyBytes<sizeof(PlacedVertex)>(work.placed + vertex, xy[v] + 2 * i);
+      hwy::CopyBytes<8>(work.positions + 3 * vertex, out.position[v] + 4 * i);
+      hwy::CopyBytes<4>(work.positions + 3 * vertex + 2, out.position[v] + 4 * i + 2);
     }
   }
 }

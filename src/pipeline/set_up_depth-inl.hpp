@@ -77,11 +77,6 @@ HWY_INLINE Plane plane_of(const Vertex& a, const Vertex& b, const Vertex& c) {
            component(normal.z, along1.z, along2.z)}};
 }
 
-HWY_INLINE Double unit(Double r) {
-  const Double one = hn::Set(doubles, 1.0);
-  return hn::IfThenElseZero(hn::Gt(r, hn::Zero(doubles)), hn::IfThenElse(hn::Lt(r, one), r, one));
-}
-
 HWY_INLINE Mask is_steep(Double slope) {
   const Double steepest = hn::Set(doubles, 1e30);
   return hn::Not(hn::And(hn::Le(slope, steepest), hn::Ge(slope, hn::Neg(steepest))));

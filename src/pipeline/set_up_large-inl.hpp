@@ -66,15 +66,14 @@ HWY_INLINE std::uint32_t count_facing(const SetUpWork& work, Double determinant,
   return kept & with_area;
 }
 
-/// Writes one triangle, turned clockwise.
-HWY_INLINE void write_large(const SetUpWork& work, const Chunk& chunk, std::int32_t place,
-                            const PlaneArrays& depth, std::size_t at, bool is_clockwise,
+/// Writes triangle `number` of the list, turned clockwise. @param at  where its depth plane is
+HWY_INLINE void write_large(const SetUpWork& work, const Chunk& chunk, const LargeList& large,
+                            std::size_t number, const PlaneArrays& depth, std::size_t at, bool is_clockwise,
                             RasterTriangle& out) {
   const int order[3] = {0, is_clockwise ? 1 : 2, is_clockwise ? 2 : 1};
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t* const xy = chunk.xy[order[i]] + 2 * place;
-    out.x[i] = xy[0];
-    out.y[i] = xy[1];
+    out.x[i] = large.x[order[i]][number];
+    out.y[i] = large.y[order[i]][number];
   }
   out.r_ref = depth.r_ref[at];
   out.dx = depth.dx[at];
@@ -83,21 +82,18 @@ HWY_INLINE void write_large(const SetUpWork& work, const Chunk& chunk, std::int3
   out.y_ref = depth.y_ref[at];
   out.lower = depth.lower[at];
   out.upper = depth.upper[at];
-  out.primitive = primitive_of(work, chunk.triangle(place));
+  out.primitive = primitive_of(work, chunk.triangle(large.list.place[number]));
 }
 
 /// As many triangles of the list as a vector has lanes, beginning with `first`.
-HWY_INLINE void set_up_large_lanes(const SetUpWork& work, const Chunk& chunk, const ChunkList& list,
+HWY_INLINE void set_up_large_lanes(const SetUpWork& work, const Chunk& chunk, const LargeList& large,
                                    const FetchedVertices& vertices, std::size_t first, PlaneArrays& depth,
                                    SetUpResult& result, Counters& counters) {
-  const std::size_t count = HWY_MIN(list.count - first, hn::Lanes(doubles));
+  const std::size_t count = HWY_MIN(large.list.count - first, hn::Lanes(doubles));
   SnappedLanes s;
-  HWY_ALIGN double coordinate[8] = {};
   for (int v = 0; v < 3; ++v) {
-    for (std::size_t i = 0; i < count; ++i) coordinate[i] = chunk.xy[v][2 * list.place[first + i]];
-    s.x[v] = hn::Load(doubles, coordinate);
-    for (std::size_t i = 0; i < count; ++i) coordinate[i] = chunk.xy[v][2 * list.place[first + i] + 1];
-    s.y[v] = hn::Load(doubles, coordinate);
+    s.x[v] = hn::PromoteTo(doubles, hn::LoadU(narrow_ints, large.x[v] + first));
+    s.y[v] = hn::PromoteTo(doubles, hn::LoadU(narrow_ints, large.y[v] + first));
   }
   const Vertex v[3] = {vertices.load(work, 0, first), vertices.load(work, 1, first),
                        vertices.load(work, 2, first)};
@@ -115,19 +111,19 @@ HWY_INLINE void set_up_large_lanes(const SetUpWork& work, const Chunk& chunk, co
   hn::Store(x.to, doubles, box[2]), hn::Store(y.to, doubles, box[3]);
   for (; left != 0; left &= left - 1) {
     const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-    write_large(work, chunk, list.place[first + i], depth, i, ((clockwise >> i) & 1u) != 0,
+    write_large(work, chunk, large, first + i, depth, i, ((clockwise >> i) & 1u) != 0,
                 work.large[result.large++]);
     result.box = united(result.box, {static_cast<int>(box[0][i]), static_cast<int>(box[1][i]),
                                      static_cast<int>(box[2][i]), static_cast<int>(box[3][i])});
   }
 }
 
-HWY_INLINE void set_up_large(const SetUpWork& work, const Chunk& chunk, const ChunkList& list,
+HWY_INLINE void set_up_large(const SetUpWork& work, const Chunk& chunk, const LargeList& large,
                              FetchedVertices& vertices, PlaneArrays& depth, SetUpResult& result,
                              Counters& counters) {
-  fetch_vertices(work, chunk, list, vertices);
-  for (std::size_t i = 0; i < list.count; i += hn::Lanes(doubles)) {
-    set_up_large_lanes(work, chunk, list, vertices, i, depth, result, counters);
+  fetch_vertices(work, chunk, large.list, vertices);
+  for (std::size_t i = 0; i < large.list.count; i += hn::Lanes(doubles)) {
+    set_up_large_lanes(work, chunk, large, vertices, i, depth, result, counters);
   }
 }
 

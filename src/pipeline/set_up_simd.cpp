@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "../base/simd_dispatch.hpp"
+#include "set_up_bounds-inl.hpp"
 #include "set_up_large-inl.hpp"
 #include "set_up_small-inl.hpp"
 #include "set_up_tiny-inl.hpp"
@@ -20,8 +21,8 @@ namespace {
 struct Passes {
   Chunk chunk;
   ChunkList slow;
-  ChunkList large;
-  SmallArrays small;
+  LargeList large;
+  SmallList small;
   TinyArrays tiny;
   FetchedVertices vertices;
   PlaneArrays depth;
@@ -32,19 +33,17 @@ void clear(Passes& passes) {
   for (std::size_t v = 0; v < 3; ++v) {
     for (std::size_t i = 0; i < 2 * chunk_room; ++i) passes.chunk.xy[v][i] = 0;
     for (std::size_t i = 0; i < 4 * chunk_room; ++i) passes.vertices.position[v][i] = 0.0f;
+    for (std::size_t i = 0; i < chunk_room; ++i) passes.large.x[v][i] = passes.large.y[v][i] = 0;
   }
 }
 
 void set_up_chunk(const SetUpWork& work, Passes& p, BoxLanes& box, SetUpResult& result, Counters& counters) {
-  p.slow.count = p.large.count = p.small.list.count = p.tiny.list.count = 0;
+  p.slow.count = p.large.list.count = p.small.list.count = p.tiny.list.count = 0;
   classify(work, p.chunk, p.slow, p.large, p.small, p.tiny, box, counters);
   for (std::size_t i = 0; i < p.slow.count; ++i) work.slow[result.slow++] = p.chunk.triangle(p.slow.place[i]);
-  if (p.large.count > 0) set_up_large(work, p.chunk, p.large, p.vertices, p.depth, result, counters);
+  if (p.large.list.count > 0) set_up_large(work, p.chunk, p.large, p.vertices, p.depth, result, counters);
   if (p.small.list.count > 0) {
-    fetch_vertices(work, p.chunk, p.small.list, p.vertices);
-    set_up_depths(work, p.vertices, p.small.list.count, p.depth);
-    write_small(work, p.chunk, p.small, p.depth, work.small + result.small);
-    write_bounds(work, p.small, p.depth, work.small_bounds + result.small);
+    write_bounds(work, p.chunk, p.small, result.small);
     result.small += p.small.list.count;
   }
   if (p.tiny.list.count > 0) {
@@ -69,6 +68,17 @@ SetUpResult set_up_triangles(const SetUpWork& work, Counters& counters) {
   return result;
 }
 
+void set_up_small(const void* given, const std::uint32_t* triangles, std::size_t count, SmallTriangle* out) {
+  const SetUpWork& work = *static_cast<const SetUpWork*>(given);
+  SmallPasses passes;
+  std::uint32_t numbers[chunk_size];
+  for (std::size_t first = 0; first < count; first += chunk_size) {
+    const std::size_t here = HWY_MIN(chunk_size, count - first);
+    for (std::size_t i = 0; i < here; ++i) numbers[i] = work.first + triangles[first + i];
+    set_up_few(work, numbers, here, passes, out + first);
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace velum
 HWY_AFTER_NAMESPACE();
@@ -78,6 +88,11 @@ namespace velum {
 
 SetUpTriangles set_up_kernel(Isa isa) {
   static constexpr auto versions = VELUM_KERNEL_VERSIONS(set_up_triangles);
+  return versions.at(isa);
+}
+
+SmallSource::SetUp set_up_small_kernel(Isa isa) {
+  static constexpr auto versions = VELUM_KERNEL_VERSIONS(set_up_small);
   return versions.at(isa);
 }
 

@@ -6,7 +6,7 @@
 #define VELUM_SET_UP_TINY_INL
 #endif
 
-#include "set_up_small-inl.hpp"
+#include "set_up_classify-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace velum {

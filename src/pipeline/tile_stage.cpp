@@ -16,10 +16,13 @@ constexpr std::uint32_t smallest_batch = 4096;
 constexpr std::uint32_t largest_batch = 1 << 15;
 constexpr std::uint32_t tiles_per_primitive = 4;
 constexpr std::uint32_t most_batches = 64;
-/// Primitives set up in one go, on all threads; the vertices of their instances are kept until then.
+/// Primitives set up in one go, on all threads.
 constexpr std::uint64_t wave_size = std::uint64_t{1} << 18;
-/// Vertices beyond which no further instance joins a wave: 8 bytes each.
-constexpr std::uint64_t wave_vertices = std::uint64_t{1} << 21;
+/// Vertices beyond which what waits is drawn before the next instance joins: they are kept until then.
+constexpr std::uint64_t round_vertices = std::uint64_t{1} << 21;
+/// What an instance takes beside its vertices, counted in vertices.
+constexpr std::uint64_t vertices_per_instance = 32;
+constexpr std::uint64_t bytes_per_vertex = sizeof(PlacedVertex) + sizeof(float);
 /// What is set up waits to be drawn until it takes as many bytes, or as many batches: tiles are loaded and
 /// stored each time.
 constexpr std::uint64_t round_bytes = std::uint64_t{1} << 25;
@@ -75,11 +78,19 @@ class TileStage {
     counters_.vertices += mesh.positions.size();
     const std::uint64_t primitives = mesh.triangles.size() + mesh.segments.size() + mesh.points.size();
     if (primitives == 0) return;
-    const std::uint64_t vertices_then = vertices_in_wave_ + mesh.positions.size();
-    if (waiting_ + primitives > wave_size || vertices_then > wave_vertices) end_wave();
-    vertices_in_wave_ += mesh.positions.size();
-    const std::uint32_t vertices = instances_in_wave_++;
-    if (buffers_.vertices.size() < instances_in_wave_) buffers_.vertices.resize(instances_in_wave_);
+    if (waiting_ + primitives > wave_size) set_up_wave();
+    const std::uint64_t vertices_here = mesh.positions.size() + vertices_per_instance;
+    if (vertices_waiting_ + vertices_here > round_vertices) {
+      set_up_wave();
+      draw_round(false);
+    }
+    if (buffers_.used == 0) {
+      instances_waiting_ = 0;
+      vertices_waiting_ = 0;
+    }
+    vertices_waiting_ += vertices_here;
+    const std::uint32_t vertices = instances_waiting_++;
+    if (buffers_.vertices.size() < instances_waiting_) buffers_.vertices.resize(instances_waiting_);
     transform(instance, mesh, buffers_.vertices[vertices]);
     add_runs({instance, PrimitiveKind::triangle, vertices}, mesh.triangles.size());
     add_runs({instance, PrimitiveKind::segment, vertices}, mesh.segments.size());
@@ -89,7 +100,6 @@ class TileStage {
   /// Adds primitives 0 … count-1 of the run's kind.
   void add_runs(PrimitiveRun run, std::size_t count) {
     while (run.last < count) {
-      // Within an instance: it keeps its vertices for the next wave.
       if (waiting_ >= wave_size) set_up_wave();
       PrimitiveBatch& batch = open_batch();
       run.first = run.last;
@@ -120,11 +130,12 @@ class TileStage {
     out.clip_from_object = clip_from_object_of(instance);
     const std::span<const glm::vec3> positions = mesh.positions.span();
     out.placed.resize(positions.size());
+    out.nearness.resize(positions.size());
     input_.executor.for_each((positions.size() + vertex_chunk - 1) / vertex_chunk, [&](std::size_t i, int) {
       const std::size_t first = i * vertex_chunk;
       transform_({&positions[first].x, std::min(vertex_chunk, positions.size() - first),
                   glm::value_ptr(out.clip_from_object), input_.settings.width, input_.settings.height,
-                  nullptr, nullptr, &out.placed[first]});
+                  nullptr, nullptr, &out.placed[first], &out.nearness[first]});
     });
     if (!mesh.segments.empty() || !mesh.points.empty()) {
       transform_vertices(positions, out.clip_from_object, out.clip);
@@ -140,16 +151,10 @@ class TileStage {
     }
   }
 
-  /// Ends a wave between two instances.
-  void end_wave() {
-    set_up_wave();
-    instances_in_wave_ = 0;
-    vertices_in_wave_ = 0;
-  }
-
   /// Sets up what waits in batches; where much is set up, it is drawn.
   void set_up_wave() {
-    const BatchInput batch_input{input_.scene, input_.settings, grid_, set_up_kernel_, input_.sample};
+    const BatchInput batch_input{input_.scene,   input_.settings,      grid_,
+                                 set_up_kernel_, set_up_small_kernel_, input_.sample};
     const auto wave = std::span(buffers_.batches).subspan(set_up_, buffers_.used - set_up_);
     input_.executor.for_each(wave.size(), [&](std::size_t i, int worker) {
       set_up_batch(batch_input, buffers_.vertices, wave[i], worker_of(worker).scratch);
@@ -229,27 +234,28 @@ class TileStage {
                static_cast<std::uint32_t>(grid_.count()) / tiles_per_primitive);
   const TransformVertices transform_ = transform_kernel(input_.settings.isa);
   const SetUpTriangles set_up_kernel_ = set_up_kernel(input_.settings.isa);
+  const SmallSource::SetUp set_up_small_kernel_ = set_up_small_kernel(input_.settings.isa);
   const TileRaster raster_ = tile_raster(input_.settings.isa);
-  std::uint32_t instances_in_wave_ = 0;
-  std::uint64_t vertices_in_wave_ = 0;
-  std::uint64_t waiting_ = 0;      ///< primitives in batches that are not set up
-  std::size_t set_up_ = 0;         ///< as many of the batches in use are
-  std::uint64_t bytes_ = 0;        ///< that these take
-  std::uint64_t drawn_ = 0;        ///< primitives of all batches that have been set up
-  bool buffer_is_filled_ = false;  ///< with what earlier rounds drew
+  std::uint32_t instances_waiting_ = 0;  ///< that have vertices in the buffers
+  std::uint64_t vertices_waiting_ = 0;   ///< of these
+  std::uint64_t waiting_ = 0;            ///< primitives in batches that are not set up
+  std::size_t set_up_ = 0;               ///< as many of the batches in use are
+  std::uint64_t bytes_ = 0;              ///< that these take
+  std::uint64_t drawn_ = 0;              ///< primitives of all batches that have been set up
+  bool buffer_is_filled_ = false;        ///< with what earlier rounds drew
 };
 
 }  // namespace
 
 std::uint64_t tile_stage_bytes(const Scene& scene) {
-  std::uint64_t all = 0, most = wave_vertices;
+  std::uint64_t all = 0, most = round_vertices;
   for (const Instance& instance : scene.instances()) {
     const std::uint64_t vertices = scene.meshes()[instance.mesh].positions.size();
-    all += vertices;
-    most = std::max(most, vertices);  // a mesh of more is a wave's by itself
+    all += vertices + vertices_per_instance;
+    most = std::max(most, vertices);  // a mesh of more waits by itself
   }
   const std::uint64_t of_primitives = scene.primitive_count() * std::uint64_t{sizeof(RasterTriangle)};
-  return std::min(all, most) * sizeof(PlacedVertex) +
+  return std::min(all, most) * bytes_per_vertex +
          std::min(of_primitives, round_bytes + wave_size * sizeof(RasterTriangle));
 }
 

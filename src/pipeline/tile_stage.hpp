@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <vector>
 
@@ -20,8 +21,8 @@ struct TileStageBuffers {
     TileCounts counts;
   };
 
-  std::vector<PlacedVertices> vertices;  ///< of the instances in the wave
-  std::vector<PrimitiveBatch> batches;   ///< the first `used` of them are the round's
+  std::deque<PlacedVertices> vertices;  ///< of the instances that wait to be drawn
+  std::vector<PrimitiveBatch> batches;  ///< the first `used` of them are the round's
   std::size_t used = 0;
   std::vector<Worker> workers;
 };

@@ -15,13 +15,14 @@ constexpr int tile_level = 6;
 static_assert(tile_size == 1 << tile_level);
 
 /// Keeps those of the first `count` that are not hidden. @return how many
-/// @param move  move(to, from) is called where one takes another's place
+/// @param triangle  triangle(i) is number i
+/// @param move      move(to, from) is called where one takes another's place
 template <typename Triangle, typename Move>
-std::size_t seen_of(const KeptArray<Triangle>& triangles, std::size_t count, const PolygonCulling& culling,
-                    HierarchyCounters& counters, const Move& move) {
+std::size_t seen_of(std::size_t count, const PolygonCulling& culling, HierarchyCounters& counters,
+                    const Triangle& triangle, const Move& move) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (culling.is_hidden(triangles[i], counters)) continue;
+    if (culling.is_hidden(triangle(i), counters)) continue;
     if (kept != i) move(kept, i);
     ++kept;
   }
@@ -37,6 +38,7 @@ TiledClusters::TiledClusters(const ClusterInput& input, TiledClusterBuffers& buf
       transform_(transform_kernel(input.frame.settings.isa)),
       leave_out_empty_(empty_triangles_kernel(input.frame.settings.isa)),
       set_up_(set_up_kernel(input.frame.settings.isa)),
+      set_up_small_(set_up_small_kernel(input.frame.settings.isa)),
       raster_(tile_raster(input.frame.settings.isa)) {
   const auto tiles = static_cast<std::size_t>(grid_.count());
   if (buffers.tiles.size() < tiles) buffers.tiles.resize(tiles);
@@ -121,11 +123,12 @@ void TiledClusters::set_up_instance(const ClusterBatch& batch, std::uint32_t fir
       leave_out_empty(octree.cluster(batch.entries[k].cluster), is_mirrored, group, worker);
     }
   }
-  set_up_triangles({scene, input_.frame.settings, grid_, set_up_},
+  SetUpWork work;
+  set_up_triangles({scene, input_.frame.settings, grid_, set_up_, set_up_small_},
                    {worker.indices.data(), 0, worker.kept, scene.first_primitive(placed.instance),
                     worker.triangles.data(), octree.positions().data(), worker.vertices.placed.data(),
-                    worker.vertices.clip_from_object, is_mirrored},
-                   group.primitives, worker.scratch, group.counters);
+                    nullptr, worker.vertices.clip_from_object, is_mirrored},
+                   work, group.primitives, worker.scratch, group.counters);
 }
 
 void TiledClusters::place_vertices(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
@@ -138,7 +141,7 @@ void TiledClusters::place_vertices(const ClusterBatch::PlacedMesh& placed, const
   const std::size_t behind = octree.positions().size() - cluster.first_position;
   const std::size_t count = std::min((cluster.positions.size() + 7) / 8 * 8, behind);
   transform_({&cluster.positions[0].x, count, glm::value_ptr(vertices.clip_from_object), settings.width,
-              settings.height, nullptr, nullptr, vertices.placed.data() + cluster.first_position});
+              settings.height, nullptr, nullptr, vertices.placed.data() + cluster.first_position, nullptr});
   group.counters.vertices += cluster.positions.size();
 }
 
@@ -167,12 +170,17 @@ void TiledClusters::leave_out_empty(const MeshCluster& cluster, bool is_mirrored
 void TiledClusters::leave_out_hidden(ScreenPrimitives& primitives, HierarchyCounters& counters) const {
   const PolygonCulling culling(input_.pyramid, grid_.target, DepthFormat::reversed);
   ScreenPrimitives& p = primitives;
-  p.large_count = seen_of(p.large, p.large_count, culling, counters,
-                          [&](std::size_t to, std::size_t from) { p.large[to] = p.large[from]; });
-  p.small_count = seen_of(p.small, p.small_count, culling, counters, [&](std::size_t to, std::size_t from) {
-    p.small[to] = p.small[from];
-    p.small_bounds[to] = p.small_bounds[from];
-  });
+  p.large_count = seen_of(
+      p.large_count, culling, counters, [&](std::size_t i) -> const RasterTriangle& { return p.large[i]; },
+      [&](std::size_t to, std::size_t from) { p.large[to] = p.large[from]; });
+  // All of the small ones are set up.
+  p.small_count = seen_of(
+      p.small_count, culling, counters,
+      [&](std::size_t i) -> const SmallTriangle& { return p.small[p.small_refs[i] & ~ready_small]; },
+      [&](std::size_t to, std::size_t from) {
+        p.small_refs[to] = p.small_refs[from];
+        p.small_bounds[to] = p.small_bounds[from];
+      });
 }
 
 void TiledClusters::draw_tile(std::size_t index, Worker& worker) const {

@@ -82,11 +82,18 @@ HWY_INLINE void place(const TransformWork& work, const ClipVector& v, Double cod
                         narrow_ints, reinterpret_cast<std::int32_t*>(out));
 }
 
+/// What set_up_depth() finds of the vertices of a triangle: SmallTriangle::upper is the largest of the three.
+HWY_INLINE void store_nearness(const ClipVector& v, float* out) {
+  const Double r = hn::Mul(hn::Sub(v.w, v.z), hn::Div(hn::Set(doubles, 1.0), v.w));
+  hn::StoreU(hn::DemoteTo(narrow_floats, unit(r)), narrow_floats, out);
+}
+
 HWY_INLINE void transform_lanes(const TransformWork& work, const float* positions, double* clip,
-                                std::uint8_t* outcodes, PlacedVertex* placed) {
+                                std::uint8_t* outcodes, PlacedVertex* placed, float* nearness) {
   hn::Vec<NarrowFloats> px, py, pz;
   hn::LoadInterleaved3(narrow_floats, positions, px, py, pz);
   const ClipVector v = clip_position(work.clip_from_object, px, py, pz);
+  if (nearness != nullptr) store_nearness(v, nearness);
   if (clip == nullptr && outcodes == nullptr && are_all_inside(v)) return place_inside(work, v, placed);
   if (clip != nullptr) hn::StoreInterleaved4(v.x, v.y, v.z, v.w, doubles, clip);
   const Double codes = outcodes_of(v);
@@ -110,7 +117,8 @@ void transform_positions(const TransformWork& given) {
   std::size_t i = 0;
   for (; i + lanes <= work.count; i += lanes) {
     transform_lanes(work, work.positions + 3 * i, work.clip == nullptr ? nullptr : work.clip + 4 * i,
-                    work.outcodes == nullptr ? nullptr : work.outcodes + i, work.placed + i);
+                    work.outcodes == nullptr ? nullptr : work.outcodes + i, work.placed + i,
+                    work.nearness == nullptr ? nullptr : work.nearness + i);
   }
   if (i == work.count) return;
   // The rest, in memory where whole vectors fit.
@@ -118,12 +126,14 @@ void transform_positions(const TransformWork& given) {
   double clip[4 * most_lanes] = {};
   std::uint8_t outcodes[most_lanes] = {};
   PlacedVertex placed[most_lanes] = {};
+  float nearness[most_lanes] = {};
   const std::size_t rest = work.count - i;
   for (std::size_t k = 0; k < 3 * rest; ++k) positions[k] = work.positions[3 * i + k];
-  transform_lanes(work, positions, clip, outcodes, placed);
+  transform_lanes(work, positions, clip, outcodes, placed, nearness);
   for (std::size_t k = 0; work.clip != nullptr && k < 4 * rest; ++k) work.clip[4 * i + k] = clip[k];
   for (std::size_t k = 0; work.outcodes != nullptr && k < rest; ++k) work.outcodes[i + k] = outcodes[k];
   for (std::size_t k = 0; k < rest; ++k) work.placed[i + k] = placed[k];
+  for (std::size_t k = 0; work.nearness != nullptr && k < rest; ++k) work.nearness[i + k] = nearness[k];
 }
 
 }  // namespace HWY_NAMESPACE

@@ -24,10 +24,11 @@ void sort_small(std::span<const TilePrimitives> work, NearFirst<SmallInTile>& ou
   std::size_t count = 0;
   for (const TilePrimitives& part : work) count += part.small_count;
   out.begin(count);
-  for (const TilePrimitives& part : work) {
+  for (std::uint32_t number = 0; number < work.size(); ++number) {
+    const TilePrimitives& part = work[number];
     for (std::size_t i = 0; i < part.small_count; ++i) {
       const SmallEntry& entry = part.small_entries[i];
-      out.add({part.small + entry.index, entry.nearest, entry.blocks});
+      out.add({entry.ref, number, entry.nearest, entry.blocks});
     }
   }
   out.sort(small_bucket);
@@ -53,7 +54,7 @@ void draw_tile(const TileRaster& raster, std::span<const TilePrimitives> work, i
   sort_small(work, order.small);
   for (int k = 0; k < order.small.buckets(); ++k) {
     const std::span<const SmallInTile> triangles = order.small.bucket(k);
-    raster.draw_small(triangles.data(), triangles.size(), left, top, tile, counts);
+    raster.draw_small(triangles.data(), triangles.size(), work.data(), left, top, tile, counts);
     if (k + 1 < order.small.buckets()) raster.find_farthest(tile);
   }
   for (const TilePrimitives& part : work) raster.draw_fragments(part.fragments, part.fragment_count, tile);

@@ -51,6 +51,10 @@ struct SmallBounds {
 };
 static_assert(sizeof(SmallBounds) == 12);
 
+/// Set in the number of a small triangle that is set up: the rest is its place among those. Any other is set
+/// up by a SmallSource, and the number tells which and by which number there.
+inline constexpr std::uint32_t ready_small = 1u << 31;
+
 /// What RasterFragment::place grows by from tile to tile.
 inline constexpr std::uint32_t fragment_places = 1u << 13;
 
@@ -73,6 +77,8 @@ using ConstFragmentArrays = FragmentFields<const std::uint32_t, const std::int32
 
 /// A triangle whose coordinates are this far apart, 1/256 pixel, is not small.
 inline constexpr std::int32_t small_extent = 24 * 256;
+/// Added to the bound of what snapping does to the area, see is_small().
+inline constexpr std::int32_t turned_margin = 16;
 /// A small triangle whose box holds at most this many centres on either axis becomes fragments at once.
 inline constexpr int tiny_size = 2;
 /// Kernels write bounds by whole vectors: room for as many more.

@@ -70,19 +70,21 @@ RasterTriangle large_triangle(const std::array<SnappedVertex, 3>& v, const Scree
 }  // namespace
 
 void ScreenPrimitives::clear() {
-  large_count = small_count = fragment_count = 0;
+  large_count = small_count = ready_count = fragment_count = 0;
+  sources.clear();
   box = {};
 }
 
 std::uint64_t ScreenPrimitives::bytes() const {
-  return large_count * sizeof(RasterTriangle) + small_count * (sizeof(SmallTriangle) + sizeof(SmallBounds)) +
+  return large_count * sizeof(RasterTriangle) + ready_count * sizeof(SmallTriangle) +
+         small_count * (sizeof(SmallBounds) + sizeof(std::uint32_t)) +
          fragment_count * sizeof(RasterFragment);
 }
 
 void ScreenPrimitives::make_room(std::size_t triangles) {
   large.make_room(large_count + triangles, large_count);
-  small.make_room(small_count + triangles, small_count);
   small_bounds.make_room(small_count + triangles + bounds_room, small_count);
+  small_refs.make_room(small_count + triangles + bounds_room, small_count);
   fragments.make_room(fragment_count + fragments_room(triangles), fragment_count);
 }
 
@@ -119,8 +121,10 @@ bool append_triangle(const ScreenTriangle& triangle, const TileGrid& grid, Scree
   } else if (box.right - box.left < tiny_size && box.bottom - box.top < tiny_size) {
     append_fragments(v, triangle, box, grid, out);
   } else {
+    out.make_room_for_ready(1);
     out.small_bounds[out.small_count] = small_bounds(box, triangle.depth.upper, grid.target);
-    out.small[out.small_count++] = small_triangle(v, triangle, box);
+    out.small_refs[out.small_count++] = ready_small | static_cast<std::uint32_t>(out.ready_count);
+    out.small[out.ready_count++] = small_triangle(v, triangle, box);
   }
   out.box = united(out.box, box);
   return true;

@@ -152,17 +152,18 @@ void TileBins::place_small(const ScreenPrimitives& primitives, const TileGrid& g
   First* const next = first_.data() + 1 - first_tile_;
   SmallEntry* const small = small_.make_room(next[end_tile_].small);
   const SmallBounds* const bounds_of = primitives.small_bounds.data();
+  const std::uint32_t* const refs = primitives.small_refs.data();
   for (std::size_t i = 0; i < primitives.small_count; ++i) {
     const SmallBounds& bounds = bounds_of[i];
     if (is_in_one_tile(bounds)) {
       SmallEntry& entry = small[next[tile_of(bounds, grid)].small++];
-      entry.index = static_cast<std::uint32_t>(i);
+      entry.ref = refs[i];
       entry.nearest = bounds.nearest;
       entry.blocks = blocks_in_its_tile(bounds);
       continue;
     }
     for_each_tile(tiles_of(bounds), [&](int column, int row) {
-      small[next[row * grid.columns + column].small++] = {static_cast<std::uint32_t>(i), bounds.nearest,
+      small[next[row * grid.columns + column].small++] = {refs[i], bounds.nearest,
                                                           blocks_in_tile(bounds, column, row)};
     });
   }
@@ -184,6 +185,7 @@ void TileBins::place_fragments(const ScreenPrimitives& primitives) {
 void TileBins::sort(const ScreenPrimitives& primitives, const TileGrid& grid) {
   large_triangles_ = primitives.large.data();
   small_triangles_ = primitives.small.data();
+  small_sources_ = primitives.sources.data();
   large_count_ = primitives.large_count;
   count(primitives, grid);
   if (end_tile_ == first_tile_) return;
@@ -201,6 +203,7 @@ TilePrimitives TileBins::of_tile(int tile) const {
   work.large_entries = large_.data() + (large_are_sorted_ ? first.large : 0);
   work.large_count = large_are_sorted_ ? end.large - first.large : large_count_;
   work.small = small_triangles_;
+  work.small_sources = small_sources_;
   work.small_entries = small_.data() + first.small;
   work.small_count = end.small - first.small;
   work.fragments = fragments_.data() + first.fragment;

@@ -21,11 +21,22 @@ struct BlockBox {
   std::uint8_t first_column, first_row, last_column, last_row;
 };
 
+/// Sets up small triangles when they are about to be drawn. Many are hidden by then and never set up.
+struct SmallSource {
+  /// @param triangles  their numbers, counted from `first` on
+  /// @param out        room for `count`
+  using SetUp = void (*)(const void* work, const std::uint32_t* triangles, std::size_t count,
+                         SmallTriangle* out);
+  SetUp set_up;
+  const void* work;          ///< what it is told
+  std::uint32_t first, end;  ///< its triangles have the numbers first … end-1
+};
+
 /// A small triangle that meets a tile, and what tells whether it is hidden there: such need not be fetched.
 struct SmallEntry {
-  std::uint32_t index;
-  float nearest;    ///< SmallTriangle::upper
-  BlockBox blocks;  ///< that its box meets
+  std::uint32_t ref;  ///< see ready_small
+  float nearest;      ///< SmallTriangle::upper
+  BlockBox blocks;    ///< that its box meets
 };
 
 /// A large triangle that meets a tile.
@@ -40,7 +51,8 @@ struct TilePrimitives {
   const RasterTriangle* large;
   const LargeEntry* large_entries;
   std::size_t large_count;
-  const SmallTriangle* small;
+  const SmallTriangle* small;        ///< those that are set up
+  const SmallSource* small_sources;  ///< of the others; in the order of their numbers
   const SmallEntry* small_entries;
   std::size_t small_count;
   const RasterFragment* fragments;
@@ -49,9 +61,10 @@ struct TilePrimitives {
   bool is_empty() const { return large_count + small_count + fragment_count == 0; }
 };
 
-/// A SmallEntry and its triangle.
+/// A SmallEntry, and which of the parts it is of.
 struct SmallInTile {
-  const SmallTriangle* triangle;
+  std::uint32_t ref;
+  std::uint32_t part;
   float nearest;
   BlockBox blocks;
 };
@@ -71,8 +84,9 @@ struct TileRaster {
   /// @pre coordinates are within ±2²³
   using OfLarge = void (*)(const LargeInTile* triangles, std::size_t count, int left, int top,
                            TileBuffer& tile, TileCounts& counts);
-  using OfSmall = void (*)(const SmallInTile* triangles, std::size_t count, int left, int top,
-                           TileBuffer& tile, TileCounts& counts);
+  /// @param parts  what the triangles are of
+  using OfSmall = void (*)(const SmallInTile* triangles, std::size_t count, const TilePrimitives* parts,
+                           int left, int top, TileBuffer& tile, TileCounts& counts);
   using OfFragments = void (*)(const RasterFragment* fragments, std::size_t count, TileBuffer& tile);
 
   /// Looks for a large triangle that covers the whole tile: what lies behind it will be hidden, and need not

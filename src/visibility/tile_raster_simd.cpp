@@ -15,8 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace velum {
 namespace HWY_NAMESPACE {
 
-/// Triangles come from the whole batch: those of as many turns on are asked for beforehand.
-constexpr std::size_t small_ahead = 8;
+/// Triangles come from the whole batch: one of as many turns on is asked for beforehand.
 constexpr std::size_t large_ahead = 3;
 
 void find_tile_occluder(const TilePrimitives& work, int left, int top, TileBuffer& tile) {
@@ -49,21 +48,60 @@ HWY_INLINE std::size_t find_seen(const SmallInTile* triangles, std::size_t count
   return seen;
 }
 
-void draw_small_in_tile(const SmallInTile* triangles, std::size_t count, int left, int top, TileBuffer& tile,
-                        TileCounts& counts) {
+/// Small triangles on their way into a tile.
+class SmallDrawing {
+ public:
+  SmallDrawing(int left, int top, TileBuffer& tile) : left_(left), top_(top), tile_(tile) {}
+
+  HWY_INLINE void add(const SmallInTile& t, const TilePrimitives& part) {
+    tile_.touched |= bits_of(t.blocks);
+    if ((t.ref & ready_small) != 0) return draw_small(part.small[t.ref & ~ready_small], left_, top_, tile_);
+    const bool is_of_source =
+        source_ != nullptr && t.part == part_ && t.ref >= source_->first && t.ref < source_->end;
+    if (!is_of_source || count_ == most_waiting) draw_waiting();
+    if (!is_of_source) {
+      part_ = t.part;
+      for (source_ = part.small_sources; t.ref >= source_->end; ++source_) {
+      }
+    }
+    waiting_[count_++] = t.ref - source_->first;
+  }
+
+  /// Sets up those that wait, and draws them.
+  void draw_waiting() {
+    if (count_ == 0) return;
+    source_->set_up(source_->work, waiting_, count_, triangles_);
+    for (std::size_t i = 0; i < count_; ++i) draw_small(triangles_[i], left_, top_, tile_);
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t most_waiting = 64;
+
+  const int left_, top_;
+  TileBuffer& tile_;
+  const SmallSource* source_ = nullptr;  ///< of those that wait
+  std::uint32_t part_ = 0;
+  std::size_t count_ = 0;
+  std::uint32_t waiting_[most_waiting];
+  SmallTriangle triangles_[most_waiting];
+};
+
+void draw_small_in_tile(const SmallInTile* triangles, std::size_t count, const TilePrimitives* parts,
+                        int left, int top, TileBuffer& tile, TileCounts& counts) {
   constexpr std::size_t most_at_once = 1024;
   std::uint32_t seen[most_at_once];
+  SmallDrawing drawing(left, top, tile);
   for (std::size_t first = 0; first < count; first += most_at_once) {
     const std::size_t here = HWY_MIN(most_at_once, count - first);
     const std::size_t seen_count = find_seen(triangles + first, here, tile, seen);
     counts.hidden_triangles += here - seen_count;
     for (std::size_t i = 0; i < seen_count; ++i) {
-      if (i + small_ahead < seen_count) hwy::Prefetch(triangles[first + seen[i + small_ahead]].triangle);
       const SmallInTile& t = triangles[first + seen[i]];
-      tile.touched |= bits_of(t.blocks);
-      draw_small(*t.triangle, left, top, tile);
+      drawing.add(t, parts[t.part]);
     }
   }
+  drawing.draw_waiting();
 }
 
 void find_farthest_in_tile(TileBuffer& tile) {

@@ -36,14 +36,16 @@ struct Transformed {
   std::vector<glm::dvec4> clip;
   std::vector<Outcode> outcodes;
   std::vector<PlacedVertex> placed;
+  std::vector<float> nearness;
 };
 
 Transformed transformed(const std::vector<glm::vec3>& positions, const glm::dmat4& matrix,
                         const Viewport& viewport, Isa isa) {
   const std::size_t n = positions.size();
-  Transformed out{std::vector<glm::dvec4>(n), std::vector<Outcode>(n), std::vector<PlacedVertex>(n)};
+  Transformed out{std::vector<glm::dvec4>(n), std::vector<Outcode>(n), std::vector<PlacedVertex>(n),
+                  std::vector<float>(n)};
   transform_kernel(isa)({&positions[0].x, n, glm::value_ptr(matrix), viewport.width, viewport.height,
-                         &out.clip[0].x, out.outcodes.data(), out.placed.data()});
+                         &out.clip[0].x, out.outcodes.data(), out.placed.data(), out.nearness.data()});
   return out;
 }
 
@@ -110,6 +112,7 @@ struct Case {
   const glm::dmat4& matrix;
   const ClipVertices& vertices;
   const std::vector<PlacedVertex>& placed;
+  const std::vector<float>& nearness;
   const std::vector<glm::uvec3>& triangles;
   Viewport viewport;
   Rect target;
@@ -180,6 +183,7 @@ void check_set_up(const Case& c, Isa isa) {
   work.positions = &c.positions[0].x;
   work.clip_from_object = glm::value_ptr(c.matrix);
   work.placed = c.placed.data();
+  work.nearness = c.nearness.data();
   work.width = c.viewport.width;
   work.height = c.viewport.height;
   work.target_left = c.target.left;
@@ -189,8 +193,8 @@ void check_set_up(const Case& c, Isa isa) {
   work.tile_columns = TileGrid(c.target).columns;
   set_culling(work, c.cull, c.mirrored);
   work.large = out.large.data();
-  work.small = out.small.data();
   work.small_bounds = out.small_bounds.data();
+  work.small_refs = out.small_refs.data();
   work.fragments = out.fragments.from(0);
   work.slow = slow.data();
   Counters counters;
@@ -201,6 +205,8 @@ void check_set_up(const Case& c, Isa isa) {
     CAPTURE(i);
     CHECK(std::memcmp(&out.large[i], &expected.primitives.large[i], large_bytes) == 0);
   }
+  out.make_room_for_ready(result.small);
+  set_up_small_kernel(isa)(&work, out.small_refs.data(), result.small, out.small.data());
   for (std::size_t i = 0; i < result.small; ++i) {
     CAPTURE(i);
     CHECK(std::memcmp(&out.small[i], &expected.primitives.small[i], small_bytes) == 0);
@@ -242,7 +248,7 @@ void check_random(Random& random, double size) {
     check_vertices(positions, matrix, viewport, vertices);
     for (const Cull cull : {Cull::none, Cull::back, Cull::front}) {
       for (const bool mirrored : {false, true}) {
-        check_set_up({positions, matrix, reference, vertices.placed, triangles, viewport,
+        check_set_up({positions, matrix, reference, vertices.placed, vertices.nearness, triangles, viewport,
                       mirrored ? part : whole, mirrored, cull},
                      isa);
       }

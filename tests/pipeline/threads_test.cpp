@@ -152,9 +152,9 @@ TEST_CASE("colours and object ids alone equal those of the whole picture, in eve
   }
 }
 
-TEST_CASE("more primitives than one round of the tiles holds, in one mesh and in many instances") {
+TEST_CASE("more primitives than one wave holds, in one mesh and in many instances") {
   Scene scene;
-  scene.add(shapes::grid(2.0f, 600));  // 720,000 triangles: a round and a half
+  scene.add(shapes::grid(2.0f, 600));  // 720,000 triangles: waves of 2¹⁸
   const std::uint32_t ball = scene.add_mesh(shapes::sphere());
   for (int i = 0; i < 40; ++i) {
     Instance instance;
@@ -174,16 +174,17 @@ TEST_CASE("more primitives than one round of the tiles holds, in one mesh and in
   CHECK(actual.counters.reversed == expected.counters.reversed);
 }
 
-TEST_CASE("rounds that end with an instance, and batches of many instances") {
+TEST_CASE(
+    "waves that end with an instance, batches of many instances, and more vertices than a round holds") {
   Mesh quad;
   quad.positions = {glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0), glm::vec3(-1, 1, 0)};
   quad.triangles = {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)};
-  Scene exact;  // 2¹⁹ triangles: a round to the last one
+  Scene exact;  // 2¹⁹ triangles: two waves to the last one
   exact.add(shapes::grid(2.0f, 512));
   exact.add(quad);
-  Scene many;
+  Scene many;  // 2.5 million vertices, as they are counted: a round and a bit
   const std::uint32_t mesh = many.add_mesh(quad);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 70000; ++i) {
     Instance instance;
     instance.mesh = mesh;
     instance.world_from_object = moved({0.01 * (i % 97), 0.01 * (i % 89), 0.001 * (i % 101)});

@@ -227,6 +227,79 @@ TEST_CASE("What small triangles cover hides small ones behind, even those that c
   }
 }
 
+namespace {
+
+/// Gives triangles that are set up already, and counts them.
+struct Copying {
+  std::vector<SmallTriangle> triangles;
+  std::size_t given = 0;
+  std::size_t unknown = 0;  ///< numbers that it was wrongly asked for
+
+  static void copy(const void* work, const std::uint32_t* numbers, std::size_t count, SmallTriangle* out) {
+    // The source is const for the tiles; this test has only one thread.
+    Copying& self = *const_cast<Copying*>(static_cast<const Copying*>(work));
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_known = numbers[i] < self.triangles.size();
+      self.unknown += !is_known;
+      out[i] = is_known ? self.triangles[numbers[i]] : SmallTriangle{};
+    }
+    self.given += count;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Small triangles that wait are set up by their source when they are drawn, hidden ones never") {
+  Random random{13};
+  // Every third is ready; the others come from three sources.
+  const Soup soup = random_soup(random, 3000, 9.0, 128, 128);
+  const Rect rect{0, 0, 128, 128};
+  const TileGrid grid(rect);
+  ScreenPrimitives primitives = primitives_of(soup, grid);
+  const auto count = static_cast<std::uint32_t>(primitives.small_count);
+  REQUIRE(count > 2000);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    REQUIRE(primitives.small_refs[i] == (ready_small | i));
+    if (i % 3 != 0) primitives.small_refs[i] = i;
+  }
+  const std::uint32_t bounds[4] = {0, 700, 701, count};
+  Copying copying[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    copying[k].triangles.assign(primitives.small.data() + bounds[k], primitives.small.data() + bounds[k + 1]);
+    primitives.sources.push_back({Copying::copy, &copying[k], bounds[k], bounds[k + 1]});
+  }
+  VisibilityBuffer expected(128, 128), actual(128, 128);
+  rasterize_zbuffer(soup, {expected, rect});
+  TileBins bins;
+  bins.sort(primitives, grid);
+  const auto tile = std::make_unique<TileBuffer>();
+  for (const Isa isa : available_isas()) {
+    if (isa == Isa::reference) continue;
+    CAPTURE(name_of(isa));
+    for (Copying& source : copying) source.given = 0;
+    TileOrder order;
+    TileCounts counts;
+    std::size_t waiting = 0;
+    for (int i = 0; i < grid.count(); ++i) {
+      // Twice the same part, as two batches.
+      const TilePrimitives work[2] = {bins.of_tile(i), bins.of_tile(i)};
+      for (std::size_t k = 0; k < work[0].small_count; ++k) {
+        waiting += 2 * ((work[0].small_entries[k].ref & ready_small) == 0);
+      }
+      clear_tile(rect, grid.left(i), grid.top(i), *tile);
+      draw_tile(tile_raster(isa), work, grid.left(i), grid.top(i), order, *tile, counts);
+      store_tile(*tile, rect, grid.left(i), grid.top(i), actual);
+    }
+    CHECK(differences(actual, expected) == 0);
+    const std::size_t given = copying[0].given + copying[1].given + copying[2].given;
+    for (const Copying& source : copying) CHECK(source.unknown == 0);
+    CHECK(given >= waiting - counts.hidden_triangles);
+    CHECK(given < waiting);
+    CHECK(copying[0].given > 100);
+    CHECK(copying[2].given > 100);
+  }
+}
+
 TEST_CASE("Too many entries are not sorted: every tile gets every triangle, and holds the same") {
   Soup soup;
   ScreenTriangle large;
