@@ -12,7 +12,7 @@ namespace {
 /// Primitives per batch: enough to amortise the sorting, few enough to stay in cache. A batch has a table of
 /// the tiles, so there are more in it where tiles are many; and each tile asks each batch, so there are more
 /// where primitives are many.
-constexpr std::uint32_t smallest_batch = 4096;
+constexpr std::uint32_t smallest_batch = 8192;
 constexpr std::uint32_t largest_batch = 1 << 15;
 constexpr std::uint32_t tiles_per_primitive = 4;
 constexpr std::uint32_t most_batches = 64;

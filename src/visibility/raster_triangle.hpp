@@ -76,7 +76,7 @@ using FragmentArrays = FragmentFields<std::uint32_t, std::int32_t>;
 using ConstFragmentArrays = FragmentFields<const std::uint32_t, const std::int32_t>;
 
 /// A triangle whose coordinates are this far apart, 1/256 pixel, is not small.
-inline constexpr std::int32_t small_extent = 24 * 256;
+inline constexpr std::int32_t small_extent = 32 * 256;
 /// Added to the bound of what snapping does to the area, see is_small().
 inline constexpr std::int32_t turned_margin = 16;
 /// A small triangle whose box holds at most this many centres on either axis becomes fragments at once.
