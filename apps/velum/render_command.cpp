@@ -3,7 +3,6 @@
 #include <iostream>
 #include <map>
 #include <memory>
-#include <velum/drawing/octree_drawing.hpp>
 #include <velum/pipeline/supersample_stage.hpp>
 #include <velum/shading/shading_names.hpp>
 #include <velum/velum.hpp>

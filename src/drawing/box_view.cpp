@@ -20,6 +20,11 @@ void BoxView::line(const glm::dvec4& a, const glm::dvec4& b, double thickness, c
   if (from && to) canvas_.line(*from, *to, thickness, colour);
 }
 
+void BoxView::dashed_line(const glm::dvec4& a, const glm::dvec4& b, double thickness, const Rgba8& colour) {
+  const auto from = place(a), to = place(b);
+  if (from && to) canvas_.dashed_line(*from, *to, thickness, 6.0, colour);
+}
+
 void BoxView::edges(const std::array<glm::dvec4, 8>& world, double thickness, const Rgba8& colour) {
   for (unsigned i = 0; i < 8; ++i) {
     for (unsigned axis = 1; axis < 8; axis *= 2) {

@@ -24,6 +24,7 @@ class BoxView {
   /// Where a point is seen, pixels; nothing for one beside or behind the eye.
   std::optional<glm::dvec2> place(const glm::dvec4& world) const;
   void line(const glm::dvec4& a, const glm::dvec4& b, double thickness, const Rgba8& colour);
+  void dashed_line(const glm::dvec4& a, const glm::dvec4& b, double thickness, const Rgba8& colour);
   /// The twelve edges of a box.
   void edges(const std::array<glm::dvec4, 8>& world, double thickness, const Rgba8& colour);
   Canvas& canvas() { return canvas_; }

@@ -6,8 +6,8 @@
 
 #include "../pipeline/check_request.hpp"
 #include "../pipeline/hierarchical_stage.hpp"
-#include "../projection/frame.hpp"
 #include "box_view.hpp"
+#include "outside_view.hpp"
 
 namespace velum {
 namespace {
@@ -26,21 +26,51 @@ constexpr std::array<NodeFate, 4> drawing_order{NodeFate::outside, NodeFate::fac
                                                 NodeFate::hidden};
 constexpr Rgba8 volume_colour{30, 70, 190, 255};
 
-std::array<glm::dvec4, 8> volume_of(const ViewingTransform& viewing) {
-  std::array<glm::dvec4, 8> corners =
-      placed_corners({{-1.0, -1.0, 0.0}, {1.0, 1.0, 1.0}}, viewing.world_from_clip());
-  for (glm::dvec4& corner : corners) corner /= corner.w;
-  return corners;
+glm::dvec4 point(const glm::dvec3& p) {
+  return {p, 1.0};
 }
 
-/// Looks at the scene and the viewer from the side and above.
-Camera second_camera(const Scene& scene, const std::array<glm::dvec4, 8>& volume, double aspect) {
-  Aabb all = scene.bounds();
-  for (std::size_t i = 0; i < 4; ++i) all.include(glm::dvec3(volume[i]));  // the near plane's corners
-  FrameOptions options;
-  options.aspect = aspect;
-  options.z_up = scene.up == UpAxis::z;
-  return frame(all, projection::isometric(), options);
+/// The volume's edges; dashed where it is cut off, and a little further; and the eye.
+void draw_volume(const ShownVolume& volume, BoxView& view) {
+  std::array<glm::dvec4, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) corners[i] = point(volume.corners[i]);
+  if (!volume.is_cut) {
+    view.edges(corners, 2.0, volume_colour);
+  } else {
+    for (std::size_t i = 0; i < 4; ++i) {
+      view.line(corners[i], corners[i + 4], 2.0, volume_colour);
+      view.dashed_line(corners[i + 4], point(volume.beyond(i)), 2.0, volume_colour);
+      for (const std::size_t next : {i ^ 1u, i ^ 2u}) {
+        if (next < i) continue;
+        view.line(corners[i], corners[next], 2.0, volume_colour);
+        view.dashed_line(corners[i + 4], corners[next + 4], 1.5, volume_colour);
+      }
+    }
+  }
+  if (!volume.eye) return;
+  for (std::size_t i = 0; i < 4; ++i) view.line(point(*volume.eye), corners[i], 1.0, volume_colour);
+  if (const auto eye = view.place(point(*volume.eye))) view.canvas().disc(*eye, 4.0, volume_colour);
+}
+
+/// As large as the picture allows; none in a small one, where it would cover everything.
+void draw_legend(const std::array<int, 4>& counts, const std::optional<ShownVolume>& volume, Canvas& canvas) {
+  const int scale = canvas.width() >= 1000 && canvas.height() >= 600  ? 2
+                    : canvas.width() >= 480 && canvas.height() >= 300 ? 1
+                                                                      : 0;
+  if (scale == 0) return;
+  const auto line = [&](std::size_t i, const std::string& text, const Rgba8& colour) {
+    const int top = scale * (5 + 9 * static_cast<int>(i));
+    canvas.rectangle(scale * 3, top - scale, Canvas::text_width(text, scale) + 4 * scale, 9 * scale,
+                     {255, 255, 255, 225});
+    canvas.text({scale * 5.0, static_cast<double>(top)}, text, scale, colour);
+  };
+  for (std::size_t i = 0; i < styles.size(); ++i) {
+    line(i, std::string(styles[i].name) + ": " + std::to_string(counts[i]), styles[i].colour);
+  }
+  if (!volume) return;
+  const std::string until = volume->is_cut ? ", up to the end of the scene" : "";
+  const std::string from = volume->eye ? " and its eye" : "";
+  line(styles.size(), "the view volume" + from + until, volume_colour);
 }
 
 }  // namespace
@@ -58,9 +88,10 @@ Image<Rgba8> draw_octree(const Scene& scene, const Camera& camera, const RenderS
   draw_hierarchically({scene, viewing, settings, rect, executor, progress}, false, buffers, visibility,
                       counters, &records);
 
-  const std::array<glm::dvec4, 8> volume = volume_of(viewing);
+  const std::optional<ShownVolume> volume = shown_volume(viewing, scene.bounds());
   const double aspect = static_cast<double>(width) / height;
-  const Camera second = second_camera(scene, volume, aspect);
+  const glm::dvec3 up = scene.up == UpAxis::z ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const Camera second = outside_camera(scene.bounds(), volume, up, aspect);
   BoxView view(second.viewing_transform(aspect).clip_from_world(), width, height);
   std::array<int, 4> counts{};
   for (const NodeFate fate : drawing_order) {
@@ -77,12 +108,8 @@ Image<Rgba8> draw_octree(const Scene& scene, const Camera& camera, const RenderS
       view.edges(placed_corners(box, placement), 1.0, styles[static_cast<std::size_t>(fate)].colour);
     }
   }
-  view.edges(volume, 2.0, volume_colour);
-  for (std::size_t i = 0; i < styles.size(); ++i) {
-    const std::string text = std::string(styles[i].name) + ": " + std::to_string(counts[i]);
-    view.canvas().text({10.0, 10.0 + 18.0 * static_cast<double>(i)}, text, 2, styles[i].colour);
-  }
-  view.canvas().text({10.0, 82.0}, "the view volume", 2, volume_colour);
+  if (volume) draw_volume(*volume, view);
+  draw_legend(counts, volume, view.canvas());
   return view.canvas().picture();
 }
 

@@ -50,25 +50,11 @@ Image<Rgba8> draw_level(const ImageView<const float>& level, int index, const Im
   return picture;
 }
 
-/// The share of the picture, in percent, behind which something can be hidden by the level. Cells at the
-/// right and at the bottom stand for fewer pixels.
-int useful_share(const ImageView<const float>& level, int index, const ImageView<const float>& base) {
-  const auto extent = [index](int cell, int size) {
-    return std::min((cell + 1) << index, size) - (cell << index);
-  };
-  long long useful = 0;
-  for (int y = 0; y < level.height; ++y) {
-    const long long rows = extent(y, base.height);
-    for (int x = 0; x < level.width; ++x) useful += level.at(x, y) > 0.0f ? rows * extent(x, base.width) : 0;
-  }
-  return static_cast<int>(100 * useful / (static_cast<long long>(base.width) * base.height));
-}
-
 std::string title_of(const ZPyramid& pyramid, int index) {
   const ImageView<const float> level = pyramid.level(index);
   return "level " + std::to_string(index) + ": " + std::to_string(level.width) + "x" +
-         std::to_string(level.height) + ", " + std::to_string(useful_share(level, index, pyramid.level(0))) +
-         " % can hide";
+         std::to_string(level.height) + ", " +
+         std::to_string(static_cast<int>(100.0 * share_that_hides(pyramid, index))) + " % can hide";
 }
 
 void paste(const Image<Rgba8>& picture, int left, int top, int step, Canvas& canvas) {
@@ -89,6 +75,20 @@ std::vector<Image<Rgba8>> draw_pyramid_levels(const ZPyramid& pyramid) {
     pictures.push_back(draw_level(pyramid.level(i), i, pyramid.level(0), span));
   }
   return pictures;
+}
+
+// Cells at the right and at the bottom stand for fewer pixels.
+double share_that_hides(const ZPyramid& pyramid, int index) {
+  const ImageView<const float> base = pyramid.level(0), level = pyramid.level(index);
+  const auto extent = [index](int cell, int size) {
+    return std::min((cell + 1) << index, size) - (cell << index);
+  };
+  long long useful = 0;
+  for (int y = 0; y < level.height; ++y) {
+    const long long rows = extent(y, base.height);
+    for (int x = 0; x < level.width; ++x) useful += level.at(x, y) > 0.0f ? rows * extent(x, base.width) : 0;
+  }
+  return static_cast<double>(useful) / (static_cast<double>(base.width) * base.height);
 }
 
 Image<Rgba8> draw_pyramid_sheet(const ZPyramid& pyramid, int columns) {

@@ -40,6 +40,14 @@ Rect Picture::bounding_box() const {
   return right <= left ? Rect{} : Rect{left, top, right - left, bottom - top};
 }
 
+Image<float> reversed_depth_of(const Picture& picture) {
+  Image<float> reversed(picture.depth.width(), picture.depth.height());
+  for (int y = 0; y < reversed.height(); ++y) {
+    for (int x = 0; x < reversed.width(); ++x) reversed.at(x, y) = 1.0f - picture.depth.at(x, y);
+  }
+  return reversed;
+}
+
 namespace {
 
 template <typename T>

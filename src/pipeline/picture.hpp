@@ -29,6 +29,10 @@ struct Picture {
   Rect bounding_box() const;
 };
 
+/// The picture's depth as ZPyramid takes it: r = 1 - z, 1 near … 0 far; background 0. Of the picture's (or
+/// its crop's) size; empty if the picture has no depth.
+Image<float> reversed_depth_of(const Picture& picture);
+
 /// Caller-owned memory for the outputs; an empty view is an output not wanted. Sizes must be those of the
 /// picture (or its crop). Rows that begin at multiples of 64 bytes, as an Image's do, are written fastest.
 struct PictureTarget {

@@ -1,6 +1,7 @@
 // velum views.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <velum/velum.hpp>
 
@@ -48,6 +49,16 @@ TEST_CASE("velum pyramid draws every level in the picture's size, and a sheet") 
   for (int i = 1; i < 8; ++i) CHECK(coarse.at(24 + i, 24) == coarse.at(24, 24));  // one cell
   CHECK(place.has("levels/sheet.png"));
   CHECK(place.velum("pyramid builtin:house --size 64x48").code == 2);
+}
+
+TEST_CASE("velum pyramid tells what the hierarchical method rejects at each level, unless told to be quiet") {
+  const Workplace place;
+  const std::string said = place.velum("pyramid builtin:torus -o levels --size 64x48").out;
+  CHECK(said.find("nodes rejected  polygons rejected") != std::string::npos);
+  CHECK(said.find("\n    6          1x1       0 %               0                  0\n") !=
+        std::string::npos);
+  CHECK(std::count(said.begin(), said.end(), '\n') == 9);  // the folder, the heading, levels 0 ... 6
+  CHECK(place.velum("pyramid builtin:torus -o levels --size 64x48 --quiet").out.empty());
 }
 
 TEST_CASE("velum render --show octree draws the nodes instead of the picture") {
