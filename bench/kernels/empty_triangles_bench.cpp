@@ -21,7 +21,7 @@ struct Clusters {
   explicit Clusters(const Subject& subject) : octree(subject.mesh), placed(octree.positions().size()) {
     transform_kernel(Isa::best)({&octree.positions()[0].x, placed.size(),
                                  glm::value_ptr(subject.clip_from_object), subject.viewport.width,
-                                 subject.viewport.height, nullptr, nullptr, placed.data()});
+                                 subject.viewport.height, nullptr, nullptr, placed.data(), nullptr});
     std::size_t most = 0;
     for (std::size_t i = 0; i < octree.cluster_count(); ++i) {
       most = std::max<std::size_t>(most, octree.triangle_count(i));

@@ -152,7 +152,8 @@ HWY_INLINE void classify(const SetUpWork& work, const Chunk& chunk, ChunkList& s
   const Int size = hn::Set(ints, tiny_size);
   for (std::size_t i = 0; i < chunk.count; i += hn::Lanes(ints)) {
     const TriangleLanes t = load_triangles(chunk.xy, i);
-    const Int places = hn::Iota(ints, static_cast<std::int32_t>(i));
+    // Not Iota(i), which stores lane by lane.
+    const Int places = hn::Add(hn::Iota(ints, 0), hn::Set(ints, static_cast<std::int32_t>(i)));
     const IntMask fetched = hn::Lt(places, hn::Set(ints, static_cast<std::int32_t>(chunk.count)));
     const IntMask placed = are_placed(t);
     const IntMask without_place = hn::AndNot(placed, fetched);

@@ -59,8 +59,7 @@ HWY_INLINE std::size_t write_fragments(const SetUpWork& work, const Chunk& chunk
     const Int left = hn::Load(ints, tiny.left + i), top = hn::Load(ints, tiny.top + i);
     const Int covered = hn::Load(ints, tiny.covered + i);
     const Int id = hn::Load(ints, primitives + i);
-    const IntMask present = hn::Lt(hn::Iota(ints, static_cast<std::int32_t>(i)),
-                                   hn::Set(ints, static_cast<std::int32_t>(tiny.list.count)));
+    const IntMask present = hn::FirstN(ints, tiny.list.count - i);
     const TinyDepth d = tiny_depth(depth, i, left, top);
     for (int k = 0; k < 4; ++k) {
       const IntMask which = hn::And(present, hn::TestBit(covered, hn::Set(ints, 1 << k)));

@@ -184,7 +184,8 @@ void interpolate_surface(const SurfaceWork& work) {
   const TrianglePlanes& t = *work.triangle;
   SurfaceRow& row = *work.row;
   for (std::size_t i = work.begin; i < work.end; i += hn::Lanes(doubles)) {
-    const Double x = hn::Iota(doubles, static_cast<double>(work.x) + static_cast<double>(i));
+    const Double x =
+        hn::Add(hn::Iota(doubles, 0), hn::Set(doubles, static_cast<double>(work.x) + static_cast<double>(i)));
     const Weights weights = weights_at(t, hn::Add(x, all(0.5)), work.y + 0.5);
     const Float weight_y = hn::DemoteTo(floats, weights.clamped.y);
     const Float weight_z = hn::DemoteTo(floats, weights.clamped.z);
