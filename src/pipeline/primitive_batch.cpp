@@ -7,6 +7,10 @@
 namespace velum {
 namespace {
 
+/// Of fewer triangles small ones are set up at once: one by one, from here and there, they would cost more
+/// than is saved where they are hidden.
+constexpr std::uint32_t fewest_to_wait = 16;
+
 /// What the kernel is told of the triangles.
 SetUpWork work_of(const BatchInput& input, const TriangleList& triangles, ScreenPrimitives& out,
                   BatchScratch& scratch) {
@@ -155,7 +159,7 @@ void set_up_triangles(const BatchInput& input, const TriangleList& triangles, Se
   out.make_room(triangles.count());
   work = work_of(input, triangles, out, scratch);
   const SetUpResult result = input.set_up(work, counters);
-  if (triangles.nearness == nullptr) {
+  if (triangles.nearness == nullptr || triangles.count() < fewest_to_wait) {
     set_up_small_at_once(input, work, result.small, out);
   } else {
     out.sources.push_back({input.set_up_small, &work, work.first_ref, work.first_ref + triangles.count()});

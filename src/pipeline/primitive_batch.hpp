@@ -73,8 +73,8 @@ struct TriangleList {
   const std::uint32_t* primitives;  ///< see SetUpWork
   const glm::vec3* positions;       ///< object space
   const PlacedVertex* placed;       ///< the same vertices on the picture
-  /// Where given, small triangles wait in out.sources: nothing they are made of may change before they are
-  /// drawn. Where not, they are set up at once.
+  /// Where given, small triangles of lists that are not short wait in out.sources: nothing they are made of
+  /// may change before they are drawn. Where not, they are set up at once.
   const float* nearness;  ///< see TransformWork
   const glm::dmat4& clip_from_object;
   bool is_mirrored;

@@ -43,7 +43,8 @@ void check_near_far(double near, double far, bool perspective) {
 
 /// @pre 0 < near < far, finite
 void check_far_over_near(double near, double far) {
-  if (!(far / near > largest_far_over_near)) return;
+  // Decimal numbers that stand in the very ratio may be read as ones in the next larger.
+  if (!(far / near > largest_far_over_near * (1.0 + 0x1p-50))) return;
   refuse_range("far / near is more than " + text_of(largest_far_over_near) + ", which leaves depth no digits",
                near, far, "choose a larger near or a smaller far");
 }

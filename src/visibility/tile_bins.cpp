@@ -186,6 +186,7 @@ void TileBins::sort(const ScreenPrimitives& primitives, const TileGrid& grid) {
   large_triangles_ = primitives.large.data();
   small_triangles_ = primitives.small.data();
   small_sources_ = primitives.sources.data();
+  small_source_count_ = primitives.sources.size();
   large_count_ = primitives.large_count;
   count(primitives, grid);
   if (end_tile_ == first_tile_) return;
@@ -204,6 +205,7 @@ TilePrimitives TileBins::of_tile(int tile) const {
   work.large_count = large_are_sorted_ ? end.large - first.large : large_count_;
   work.small = small_triangles_;
   work.small_sources = small_sources_;
+  work.small_source_count = small_source_count_;
   work.small_entries = small_.data() + first.small;
   work.small_count = end.small - first.small;
   work.fragments = fragments_.data() + first.fragment;

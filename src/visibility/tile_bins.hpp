@@ -38,6 +38,7 @@ class TileBins {
   const RasterTriangle* large_triangles_ = nullptr;
   const SmallTriangle* small_triangles_ = nullptr;
   const SmallSource* small_sources_ = nullptr;
+  std::size_t small_source_count_ = 0;
   std::size_t large_count_ = 0;
   int first_tile_ = 0;  ///< tiles first_tile_ … end_tile_-1 may have something
   int end_tile_ = 0;

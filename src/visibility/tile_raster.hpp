@@ -53,6 +53,7 @@ struct TilePrimitives {
   std::size_t large_count;
   const SmallTriangle* small;        ///< those that are set up
   const SmallSource* small_sources;  ///< of the others; in the order of their numbers
+  std::size_t small_source_count;
   const SmallEntry* small_entries;
   std::size_t small_count;
   const RasterFragment* fragments;

@@ -48,6 +48,17 @@ HWY_INLINE std::size_t find_seen(const SmallInTile* triangles, std::size_t count
   return seen;
 }
 
+/// The source that a triangle of this number is of: there may be thousands.
+HWY_INLINE const SmallSource* source_of(std::uint32_t ref, const TilePrimitives& part) {
+  const SmallSource* first = part.small_sources;
+  for (std::size_t count = part.small_source_count; count > 1;) {
+    const std::size_t half = count / 2;
+    first += ref >= first[half].first ? half : 0;
+    count -= half;
+  }
+  return first;
+}
+
 /// Small triangles on their way into a tile.
 class SmallDrawing {
  public:
@@ -61,8 +72,7 @@ class SmallDrawing {
     if (!is_of_source || count_ == most_waiting) draw_waiting();
     if (!is_of_source) {
       part_ = t.part;
-      for (source_ = part.small_sources; t.ref >= source_->end; ++source_) {
-      }
+      source_ = source_of(t.ref, part);
     }
     waiting_[count_++] = t.ref - source_->first;
   }

@@ -279,6 +279,10 @@ TEST_CASE("a camera whose depth would have no digits is refused, whatever its nu
       refuses([&] { Camera::off_axis(pose, {-near, near, -near, near}, near, far); });
     }
   }
+  // What is written in the very ratio is not more, though 5e-28 / 5e-40 is in double.
+  CHECK(5e-28 / 5e-40 > largest_far_over_near);
+  CHECK_NOTHROW(Camera::perspective(pose, {}, 5e-40, 5e-28));
+  CHECK_NOTHROW(Camera::perspective(pose, {}, 1e-3, 1e9));
   const double deepest = 3.0 * largest_depth_in_windows;
   const ParallelWindow window{3.0, {}, 0.0};
   CHECK_NOTHROW(Camera::parallel(pose, window, -0.999 * deepest, 0.999 * deepest));
