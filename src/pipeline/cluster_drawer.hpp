@@ -85,7 +85,8 @@ struct TiledClusterBuffers {
   };
   /// Memory of a worker.
   struct Worker {
-    PlacedVertices vertices;
+    glm::dmat4 clip_from_object;         ///< of the instance that is set up
+    std::vector<PlacedVertex> placed;    ///< its vertices, as far as they are needed
     KeptArray<std::int32_t> packed;      ///< vertices of a cluster, see EmptyTrianglesWork
     KeptArray<std::uint32_t> indices;    ///< of a group's triangles that may cover a pixel centre
     KeptArray<std::uint32_t> triangles;  ///< and which of the mesh's they are

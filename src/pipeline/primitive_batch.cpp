@@ -106,7 +106,7 @@ struct RunSetUp {
   void set_up_run_triangles() {
     set_up_triangles(input,
                      {&mesh.triangles[0].x, run.first, run.last, first_primitive, nullptr, &mesh.positions[0],
-                      vertices.placed.data(), vertices.nearness.data(), vertices.clip_from_object,
+                      vertices.placed, vertices.nearness, vertices.clip_from_object,
                       is_mirroring(instance.world_from_object)},
                      work, out, scratch, counters);
   }

@@ -14,9 +14,9 @@ namespace velum {
 /// An instance's vertices.
 struct PlacedVertices {
   glm::dmat4 clip_from_object;
-  std::vector<PlacedVertex> placed;
-  std::vector<float> nearness;  ///< see TransformWork
-  ClipVertices clip;  ///< only where the mesh has segments or points: the others' are formed when needed
+  const PlacedVertex* placed;
+  const float* nearness;  ///< see TransformWork
+  ClipVertices clip;      ///< only where the mesh has segments or points: the others' are formed when needed
 };
 
 /// Neighbouring primitives of one instance, all of one kind.

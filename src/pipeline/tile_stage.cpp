@@ -30,6 +30,17 @@ constexpr std::size_t round_batches = 512;
 /// Vertices transformed in one go.
 constexpr std::size_t vertex_chunk = 8192;
 
+/// The most vertices that wait at a time.
+std::uint64_t vertices_of_round(const Scene& scene) {
+  std::uint64_t all = 0, most = round_vertices;
+  for (const Instance& instance : scene.instances()) {
+    const std::uint64_t vertices = scene.meshes()[instance.mesh].positions.size();
+    all += vertices;
+    most = std::max(most, vertices);  // a mesh of more waits by itself
+  }
+  return std::min(all, most);
+}
+
 class TileStage {
  public:
   TileStage(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,
@@ -38,6 +49,9 @@ class TileStage {
     buffers.workers.resize(static_cast<std::size_t>(input.executor.threads()));
     for (TileStageBuffers::Worker& worker : buffers.workers) worker.counts = {};
     buffers.used = 0;
+    const std::uint64_t vertices = vertices_of_round(input.scene);
+    buffers.placed.make_room(vertices);
+    buffers.nearness.make_room(vertices);
     buffer.reshape(input.rect.width, input.rect.height);
   }
 
@@ -87,10 +101,11 @@ class TileStage {
     if (buffers_.used == 0) {
       instances_waiting_ = 0;
       vertices_waiting_ = 0;
+      vertices_placed_ = 0;
     }
     vertices_waiting_ += vertices_here;
     const std::uint32_t vertices = instances_waiting_++;
-    if (buffers_.vertices.size() < instances_waiting_) buffers_.vertices.resize(instances_waiting_);
+    if (buffers_.vertices.size() < instances_waiting_) buffers_.vertices.emplace_back();
     transform(instance, mesh, buffers_.vertices[vertices]);
     add_runs({instance, PrimitiveKind::triangle, vertices}, mesh.triangles.size());
     add_runs({instance, PrimitiveKind::segment, vertices}, mesh.segments.size());
@@ -129,22 +144,25 @@ class TileStage {
   void transform(std::uint32_t instance, const Mesh& mesh, PlacedVertices& out) {
     out.clip_from_object = clip_from_object_of(instance);
     const std::span<const glm::vec3> positions = mesh.positions.span();
-    out.placed.resize(positions.size());
-    out.nearness.resize(positions.size());
+    PlacedVertex* const placed = buffers_.placed.data() + vertices_placed_;
+    float* const nearness = buffers_.nearness.data() + vertices_placed_;
+    vertices_placed_ += positions.size();
+    out.placed = placed;
+    out.nearness = nearness;
     input_.executor.for_each((positions.size() + vertex_chunk - 1) / vertex_chunk, [&](std::size_t i, int) {
       const std::size_t first = i * vertex_chunk;
       transform_({&positions[first].x, std::min(vertex_chunk, positions.size() - first),
                   glm::value_ptr(out.clip_from_object), input_.settings.width, input_.settings.height,
-                  nullptr, nullptr, &out.placed[first], &out.nearness[first]});
+                  nullptr, nullptr, placed + first, nearness + first});
     });
     if (!mesh.segments.empty() || !mesh.points.empty()) {
       transform_vertices(positions, out.clip_from_object, out.clip);
     }
-    if (input_.sample != pixel_centre) move_vertices(out.placed);
+    if (input_.sample != pixel_centre) move_vertices({placed, positions.size()});
   }
 
   /// To what is seen at the sample, see sample_positions.hpp.
-  void move_vertices(std::vector<PlacedVertex>& placed) const {
+  void move_vertices(std::span<PlacedVertex> placed) const {
     for (PlacedVertex& vertex : placed) {
       if (vertex.x == not_snapped) continue;
       vertex = {vertex.x - input_.sample.x, vertex.y - input_.sample.y};
@@ -237,7 +255,8 @@ class TileStage {
   const SmallSource::SetUp set_up_small_kernel_ = set_up_small_kernel(input_.settings.isa);
   const TileRaster raster_ = tile_raster(input_.settings.isa);
   std::uint32_t instances_waiting_ = 0;  ///< that have vertices in the buffers
-  std::uint64_t vertices_waiting_ = 0;   ///< of these
+  std::uint64_t vertices_waiting_ = 0;   ///< of these, and what the instances take
+  std::uint64_t vertices_placed_ = 0;    ///< of these
   std::uint64_t waiting_ = 0;            ///< primitives in batches that are not set up
   std::size_t set_up_ = 0;               ///< as many of the batches in use are
   std::uint64_t bytes_ = 0;              ///< that these take
@@ -248,15 +267,12 @@ class TileStage {
 }  // namespace
 
 std::uint64_t tile_stage_bytes(const Scene& scene) {
-  std::uint64_t all = 0, most = round_vertices;
-  for (const Instance& instance : scene.instances()) {
-    const std::uint64_t vertices = scene.meshes()[instance.mesh].positions.size();
-    all += vertices + vertices_per_instance;
-    most = std::max(most, vertices);  // a mesh of more waits by itself
-  }
+  const std::uint64_t instances =
+      std::min<std::uint64_t>(scene.instances().size(), round_vertices / vertices_per_instance);
+  const std::uint64_t of_vertices =
+      (vertices_of_round(scene) + instances * vertices_per_instance) * bytes_per_vertex;
   const std::uint64_t of_primitives = scene.primitive_count() * std::uint64_t{sizeof(RasterTriangle)};
-  return std::min(all, most) * bytes_per_vertex +
-         std::min(of_primitives, round_bytes + wave_size * sizeof(RasterTriangle));
+  return of_vertices + std::min(of_primitives, round_bytes + wave_size * sizeof(RasterTriangle));
 }
 
 void draw_in_tiles(const TileStageInput& input, TileStageBuffers& buffers, VisibilityBuffer& buffer,

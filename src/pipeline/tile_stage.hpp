@@ -22,6 +22,8 @@ struct TileStageBuffers {
   };
 
   std::deque<PlacedVertices> vertices;  ///< of the instances that wait to be drawn
+  KeptArray<PlacedVertex> placed;       ///< theirs, one after the other
+  KeptArray<float> nearness;            ///< the same
   std::vector<PrimitiveBatch> batches;  ///< the first `used` of them are the round's
   std::size_t used = 0;
   std::vector<Worker> workers;

@@ -124,24 +124,23 @@ void TiledClusters::set_up_instance(const ClusterBatch& batch, std::uint32_t fir
     }
   }
   SetUpWork work;
-  set_up_triangles({scene, input_.frame.settings, grid_, set_up_, set_up_small_},
-                   {worker.indices.data(), 0, worker.kept, scene.first_primitive(placed.instance),
-                    worker.triangles.data(), octree.positions().data(), worker.vertices.placed.data(),
-                    nullptr, worker.vertices.clip_from_object, is_mirrored},
-                   work, group.primitives, worker.scratch, group.counters);
+  set_up_triangles(
+      {scene, input_.frame.settings, grid_, set_up_, set_up_small_},
+      {worker.indices.data(), 0, worker.kept, scene.first_primitive(placed.instance), worker.triangles.data(),
+       octree.positions().data(), worker.placed.data(), nullptr, worker.clip_from_object, is_mirrored},
+      work, group.primitives, worker.scratch, group.counters);
 }
 
 void TiledClusters::place_vertices(const ClusterBatch::PlacedMesh& placed, const MeshOctree& octree,
                                    const MeshCluster& cluster, Group& group, Worker& worker) const {
   const RenderSettings& settings = input_.frame.settings;
-  PlacedVertices& vertices = worker.vertices;
-  if (vertices.placed.size() < octree.positions().size()) vertices.placed.resize(octree.positions().size());
-  vertices.clip_from_object = placed.clip_from_object;
+  if (worker.placed.size() < octree.positions().size()) worker.placed.resize(octree.positions().size());
+  worker.clip_from_object = placed.clip_from_object;
   // By whole vectors: what stands behind is placed anew, in the same places, when it is needed.
   const std::size_t behind = octree.positions().size() - cluster.first_position;
   const std::size_t count = std::min((cluster.positions.size() + 7) / 8 * 8, behind);
-  transform_({&cluster.positions[0].x, count, glm::value_ptr(vertices.clip_from_object), settings.width,
-              settings.height, nullptr, nullptr, vertices.placed.data() + cluster.first_position, nullptr});
+  transform_({&cluster.positions[0].x, count, glm::value_ptr(worker.clip_from_object), settings.width,
+              settings.height, nullptr, nullptr, worker.placed.data() + cluster.first_position, nullptr});
   group.counters.vertices += cluster.positions.size();
 }
 
@@ -150,7 +149,7 @@ void TiledClusters::leave_out_empty(const MeshCluster& cluster, bool is_mirrored
                                     Worker& worker) const {
   SetUpWork facing{};
   set_culling(facing, input_.frame.settings.cull, is_mirrored);
-  worker.kept += leave_out_empty_({worker.vertices.placed.data(),
+  worker.kept += leave_out_empty_({worker.placed.data(),
                                    cluster.first_position,
                                    static_cast<std::uint32_t>(cluster.positions.size()),
                                    cluster.indices.data(),

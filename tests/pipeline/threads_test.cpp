@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <thread>
+#include <velum/pipeline/tile_stage.hpp>
 #include <velum/velum.hpp>
 
 #include "small_scenes.hpp"
@@ -199,6 +200,35 @@ TEST_CASE(
     CHECK(same_rows(actual.triangle_id, expected.triangle_id));
     CHECK(same_rows(actual.depth, expected.depth));
   }
+}
+
+TEST_CASE("vertices that wait take no more memory than the ceiling counts") {
+  // Large meshes among small ones: 4.8 million vertices.
+  Scene scene;
+  const std::uint32_t large = scene.add_mesh(shapes::grid(2.0f, 400));
+  const std::uint32_t small = scene.add_mesh(shapes::grid(2.0f, 10));
+  for (int i = 0; i < 300; ++i) {
+    Instance instance;
+    instance.mesh = i % 10 == i / 30 ? large : small;
+    instance.world_from_object = moved({0.01 * i, 0.0, 0.0});
+    scene.add_instance(instance);
+  }
+  const Camera camera = camera_of(scene);
+  const RenderSettings settings = settings_of();
+  const ViewingTransform viewing = camera.viewing_transform(160.0 / 120.0);
+  Executor executor(1, ExecutorKind::serial);
+  const std::function<void(double)> progress = [](double) {};
+  TileStageBuffers buffers;
+  VisibilityBuffer visibility(160, 120);
+  Counters counters;
+  draw_in_tiles({scene, viewing, settings, {0, 0, 160, 120}, executor, progress}, buffers, visibility,
+                counters);
+  CHECK(counters.instances == 300);
+  CHECK(buffers.placed.room() == std::size_t{1} << 21);
+  const std::uint64_t bytes = buffers.placed.room() * sizeof(PlacedVertex) +
+                              buffers.nearness.room() * sizeof(float) +
+                              buffers.vertices.size() * sizeof(PlacedVertices);
+  CHECK(bytes < tile_stage_bytes(scene));
 }
 
 TEST_CASE("a wireframe is the same on any number of threads, over several runs of triangles and bands") {
