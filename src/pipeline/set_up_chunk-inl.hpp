@@ -81,16 +81,19 @@ HWY_INLINE void fetch(const SetUpWork& work, std::uint32_t first, Chunk& out) {
   }
 }
 
+HWY_INLINE void copy_position(const SetUpWork& work, std::size_t vertex, float* out) {
+  const float* const position = work.positions + 3 * vertex;
+  hwy::CopyBytes<8>(position, out);
+  hwy::CopyBytes<4>(position + 2, out + 2);
+}
+
 /// Copies the vertices of the listed triangles.
 HWY_INLINE void fetch_vertices(const SetUpWork& work, const Chunk& chunk, const ChunkList& list,
                                FetchedVertices& out) {
   for (std::size_t i = 0; i < list.count; ++i) {
     const auto triangle = static_cast<std::size_t>(chunk.triangle(list.place[i]));
     for (std::size_t v = 0; v < 3; ++v) {
-      const float* const position =
-          work.positions + 3 * static_cast<std::size_t>(work.indices[3 * triangle + v]);
-      hwy::CopyBytes<8>(position, out.position[v] + 4 * i);
-      hwy::CopyBytes<4>(position + 2, out.position[v] + 4 * i + 2);
+      copy_position(work, work.indices[3 * triangle + v], out.position[v] + 4 * i);
     }
   }
 }
@@ -105,8 +108,7 @@ HWY_INLINE void fetch_listed(const SetUpWork& work, const std::uint32_t* triangl
     for (std::size_t v = 0; v < 3; ++v) {
       const auto vertex = static_cast<std::size_t>(work.indices[3 * triangle + v]);
       hwy::CopyBytes<sizeof(PlacedVertex)>(work.placed + vertex, xy[v] + 2 * i);
-      hwy::CopyBytes<8>(work.positions + 3 * vertex, out.position[v] + 4 * i);
-      hwy::CopyBytes<4>(work.positions + 3 * vertex + 2, out.position[v] + 4 * i + 2);
+      copy_position(work, vertex, out.position[v] + 4 * i);
     }
   }
 }
@@ -122,12 +124,6 @@ HWY_INLINE void find_primitives(const SetUpWork& work, const Chunk& chunk, const
   for (std::size_t i = 0; i < list.count; ++i) {
     out[i] = static_cast<std::int32_t>(primitive_of(work, chunk.triangle(list.place[i])));
   }
-}
-
-HWY_INLINE std::uint32_t bits_of(hn::Mask<Ints> mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(ints, mask, bits);
-  return bits[0] | (static_cast<std::uint32_t>(bits[1]) << 8);
 }
 
 }  // namespace
